@@ -26,11 +26,12 @@ class CATENA_API CapacityError : public Error {
   using Error::Error;
 };
 
-/// More pairs were found than the request allows. Nothing is dropped in silence: `found` is the true number.
+/// More pairs were found than the request allows, `where` it is named. Nothing is dropped in silence: `found`
+/// is the true number.
 class CATENA_API PairLimitExceeded : public Error {
  public:
-  PairLimitExceeded(std::uint64_t found, std::uint64_t limit)
-      : Error("found " + std::to_string(found) + (found == 1 ? " colliding pair" : " colliding pairs") +
+  PairLimitExceeded(std::uint64_t found, std::uint64_t limit, const std::string& where = {})
+      : Error((where.empty() ? "" : where + ": ") + "found " + std::to_string(found) + (found == 1 ? " colliding pair" : " colliding pairs") +
               ", more than the limit of " + std::to_string(limit) +
               "; ask for counts alone, or raise the limit"),
         found_(found),

@@ -8,7 +8,7 @@
 namespace catena {
 
 /// work(), which is about what this names: an input, or a frame of one. An InputError gets the name in front
-/// unless it begins with it, as one call may have many inputs.
+/// unless it begins with it, as one call may have many inputs; so does PairLimitExceeded.
 template <class Work>
 decltype(auto) naming(const std::string& name, const Work& work) {
   try {
@@ -18,6 +18,8 @@ decltype(auto) naming(const std::string& name, const Work& work) {
     for (const char* const after : {":", ",", " frame "})
       if (what.starts_with(name + after)) throw;
     throw InputError(fmt::format("{}: {}", name, what));
+  } catch (const PairLimitExceeded& error) {
+    throw PairLimitExceeded(error.found(), error.limit(), name);
   }
 }
 

@@ -119,7 +119,7 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   const ProgramOutcome verified = run_ranks("verify yarn:n=2000 --box 30,30,30");
   EXPECT_EQ(verified.code, 0) << verified.output;
   const ProgramOutcome limit = run_ranks("detect yarn:n=3000,seed=5 --box 30,0,25 --pair-limit 5");
-  expect_one_line(limit, "more than the limit of 5");
+  expect_one_line(limit, "yarn:n=3000,seed=5 frame 0: found ");
   const ProgramOutcome timed = run_ranks("bench yarn:n=2000 --box 30,30,30 --repetitions 1");
   ASSERT_EQ(timed.code, 0) << timed.output;
   const auto line = nlohmann::json::parse(timed.output);

@@ -96,12 +96,15 @@ std::optional<Chain> RankInput::whole(std::uint32_t frame) const {
   return input_->animation->frame(frame);
 }
 
+std::string RankInput::name_of(std::uint32_t frame) const {
+  return fmt::format("{} frame {}", spec_, written_frame(spec_) + frame);
+}
+
 RankAnswer search_frame(Communicator& ranks, const RankInput& input, std::uint32_t frame,
                         const std::optional<PeriodicBox>& box, Part part, const RankOptions& options,
                         RankWork& work) {
   if (!box) return search(ranks, std::move(part), options, work);
-  return naming(fmt::format("{} frame {}", input.name(), written_frame(input.name()) + frame),
-                [&] { return search_in_box(ranks, input.whole(frame), *box, options, work); });
+  return naming(input.name_of(frame), [&] { return search_in_box(ranks, input.whole(frame), *box, options, work); });
 }
 
 }  // namespace catena::ranks

@@ -23,6 +23,8 @@ class RankInput {
   RankInput(Communicator& ranks, const std::string& spec, const InputOptions& options, const Open& open);
 
   const std::string& name() const { return spec_; }
+  /// Of that frame, as messages have it.
+  std::string name_of(std::uint32_t frame) const;
   /// The frames [first, last) that the option names.
   std::pair<std::uint32_t, std::uint32_t> frames(const FrameOption& option) const;
   /// The spheres of this rank in that frame: as many as the others have, give or take one.

@@ -78,7 +78,7 @@ class DetectCommand final : public Command {
       const std::optional<PeriodicBox> box = input.box(f);
       const RankAnswer answer = search_frame(ranks_, input, f, box, std::move(part.part), options, work);
       if (request_.want == Request::Want::pairs && answer.pair_count > request_.pair_limit) {
-        too_many.emplace(answer.pair_count, request_.pair_limit);
+        too_many.emplace(answer.pair_count, request_.pair_limit, input.name_of(f));
         return;
       }
       const std::uint32_t frame = written_frame(input_) + f;
