@@ -12,6 +12,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/installed_files.h"
+#include "catena/core/notice.h"
 
 namespace catena::reports {
 namespace {
@@ -80,8 +81,9 @@ class InterruptsLeftToChild {
   InterruptsLeftToChild& operator=(const InterruptsLeftToChild&) = delete;
 
   const posix_spawnattr_t* attributes() const { return &attributes_; }
-  /// Ends this process as the child was ended.
-  void pass_on() const {
+  /// Ends this process as the child was ended, after a line that says what is left.
+  void pass_on(const std::string& left) const {
+    if (!left.empty()) notice("catena", left);
     std::signal(SIGINT, SIG_DFL);
     raise(SIGINT);
   }
@@ -93,7 +95,7 @@ class InterruptsLeftToChild {
 
 }  // namespace
 
-int run_page_writer(const std::vector<std::string>& arguments) {
+int run_page_writer(const std::vector<std::string>& arguments, const std::string& left_if_interrupted) {
   std::vector<std::string> command{CATENA_PYTHON, "-c", run_package};
   command.insert(command.end(), arguments.begin(), arguments.end());
   auto variables = environment_with(package_folder());
@@ -106,7 +108,7 @@ int run_page_writer(const std::vector<std::string>& arguments) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw InputError(fmt::format("lost {}: {}", CATENA_PYTHON, std::strerror(errno)));
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) waiting.pass_on();
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) waiting.pass_on(left_if_interrupted);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
 }
 

@@ -53,7 +53,9 @@ TEST(PageWriter, HasThePackageItsArgumentsAndInterrupts) {
         << said;
     EXPECT_EQ(std::signal(SIGINT, SIG_DFL), ignored ? SIG_IGN : +handler) << "as it was before";
   }
-  EXPECT_EXIT(run_page_writer({"SIGINT"}); std::exit(0), testing::KilledBySignal(SIGINT), "");
+  EXPECT_EXIT(run_page_writer({"SIGINT"}); std::exit(0), testing::KilledBySignal(SIGINT), "^$");
+  EXPECT_EXIT(run_page_writer({"SIGINT"}, "the run is kept");
+              std::exit(0), testing::KilledBySignal(SIGINT), "^catena: the run is kept\n$");
   unsetenv("PYTHONUSERBASE");
   unsetenv("PYTHONPATH");
   fs::remove_all(base);

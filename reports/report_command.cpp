@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,6 +89,9 @@ class ReportCommand final : public Command {
     std::optional<Profile> asked;
     if (!resume_) asked = chosen();  // before anything is made: it may be refused
     ReportFolder folder(output_);
+    if (resume_ && !std::filesystem::exists(folder.journal()) && std::filesystem::exists(folder.run_file()))
+      throw InputError(fmt::format("{} holds a whole run, which nothing interrupted; its page: {}",
+                                   folder.run_file(), page_of({folder.run_file()})));
     std::optional<Journal> resumed;
     if (resume_) take(options_of(*(resumed = Journal::resume(folder.journal()))));
     const Profile profile = asked ? *asked : chosen();
@@ -161,7 +165,7 @@ class ReportCommand final : public Command {
     arguments.insert(arguments.end(), runs.begin(), runs.end());
     int code = 2;
     try {
-      code = run_page_writer(arguments);
+      code = run_page_writer(arguments, from_.empty() ? kept(runs) : "");
     } catch (const InputError& why) {
       throw InputError(fmt::format("{}{}", why.what(), from_.empty() ? "; " + kept(runs) : ""));
     }
@@ -169,10 +173,15 @@ class ReportCommand final : public Command {
     return code;
   }
 
-  std::string kept(const std::vector<std::string>& runs) const {
+  /// The command that makes the page of these runs.
+  std::string page_of(const std::vector<std::string>& runs) const {
     std::string command = fmt::format("catena report --output {} --from", shell_word(output_));
     for (const std::string& run : runs) command += fmt::format(" {}", shell_word(run));
-    return "nothing measured is lost: " + command;
+    return command;
+  }
+
+  std::string kept(const std::vector<std::string>& runs) const {
+    return "nothing measured is lost: " + page_of(runs);
   }
 
   Profile chosen() const {

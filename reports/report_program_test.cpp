@@ -85,6 +85,17 @@ TEST_F(ReportProgram, GoesOnWithTheOptionsOfTheRunThatWasInterrupted) {
                  fmt::format("the interrupted run had the {} 'another', this is '", here.begin()->first));
 }
 
+/// Who is told to measure anew does so, and it may take an hour.
+TEST_F(ReportProgram, SaysHowToMakeThePageOfAWholeRunThatIsToBeResumed) {
+  std::filesystem::create_directories(file("r"));
+  write("r/run.json", "{}");
+  expect_refused(
+      "report --resume --output '" + file("r") + "'",
+      fmt::format("{0}/run.json holds a whole run, which nothing interrupted; its page: catena report "
+                  "--output {0} --from {0}/run.json",
+                  file("r")));
+}
+
 /// Where it is refused only after it was measured, nothing of the run can be told or gone on with.
 TEST_F(ReportProgram, RefusesANameThatARunFileCannotHold) {
   if (!measures_in_this_build()) GTEST_SKIP() << "measures in a Release build only";
@@ -93,6 +104,15 @@ TEST_F(ReportProgram, RefusesANameThatARunFileCannotHold) {
                      file("bad\xFF.xyz") + "'",
                  "bad?.xyz: this name is not UTF-8, which a run file needs; rename it, or give a link to it");
   EXPECT_FALSE(std::filesystem::exists(file("r")));
+}
+
+TEST_F(ReportProgram, SaysHowLongItTimesAtMost) {
+  if (!measures_in_this_build()) GTEST_SKIP() << "measures in a Release build only";
+  const std::string run =
+      "report --no-page --scene path1:n=50 --variant CPU1 --benchmark_filter find --output '";
+  expect_says(run + file("a") + "' --seconds 0.25", 0, {"timing 1 case for at most 0.25 s\n"});
+  expect_says(run + file("b") + "' --seconds 60 --repetitions 1", 0, {"timing 1 case for at most 60 s\n"});
+  expect_says(run + file("c") + "' --repetitions 1", 0, {"timing 1 case\n"});
 }
 
 TEST_F(ReportProgram, KeepsTheRunThatIsThereAndSaysWhere) {

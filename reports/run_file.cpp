@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catena/core/commands/variant_json.h"
+#include "catena/core/counted.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/notice.h"
@@ -27,6 +28,13 @@ constexpr double least_seconds = 60;
 std::vector<bench::Case> timed_cases(const Profile& profile) {
   return bench::filtered(bench::cases(profile.inputs, profile.variants, profile.most_all_pairs),
                          profile.filter);
+}
+
+/// A second or less is no whole number of them.
+std::string limit_in_words(const bench::Stopping& stopping) {
+  if (stopping.seconds >= unlimited_seconds) return "";
+  return stopping.seconds < 10 ? fmt::format(" for at most {:.3g} s", stopping.seconds)
+                               : fmt::format(" for at most {:.0f} s", stopping.seconds);
 }
 
 Json stopping_of(const bench::Stopping& s, const bench::Rounds& measured) {
@@ -102,9 +110,8 @@ Json measure_run(const Profile& profile, const std::string& command, Journal& jo
     stopping.seconds =
         std::min(stopping.seconds,
                  std::max(least_seconds, profile.whole_seconds - sections_before - watch.ms() / 1000));
-  const auto limit =
-      stopping.seconds < unlimited_seconds ? fmt::format(" for at most {:.0f} s", stopping.seconds) : "";
-  notice("catena report", fmt::format("timing {} cases{}", cases.size(), limit));
+  notice("catena report",
+         fmt::format("timing {}{}", counted(cases.size(), "case"), limit_in_words(stopping)));
   bench::Stopping rest = stopping;
   rest.seconds = std::max(0.0, stopping.seconds - rows_before);
   const Stopwatch timing;

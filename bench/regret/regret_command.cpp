@@ -58,6 +58,7 @@ class RegretCommand final : public Command {
       throw InputError(
           "--n sizes the scenes when no input is named; write scene:n=N for a scene of your own");
     const std::vector<WorkloadSpec> specs = asked();
+    require_names_apart(specs);
     std::vector<VariantInfo> others;
     for (const std::string& name : variants_) others.push_back(StrategyRegistry::instance().describe(name));
     require_somebody(others);

@@ -64,6 +64,10 @@ TEST_F(RegretProgram, TakesInputsOrSizesAndSaysWhatIsLeftOut) {
       expect_refused("regret path1:n=300 --variant '" + info.name + "'", " is not available here: ");
       break;
     }
+  std::filesystem::create_directories(file("b"));
+  const std::string chain = "catena-chain 1\nwindow 1\nstrand open 1\n0 0 0 1\nend\n";
+  expect_refused("regret '" + write("x.chain", chain) + "' '" + write("b/x.chain", chain) + "'",
+                 "have one name without their folders");
   expect_refused("regret yarn:n=100,radius=nan path1:n=1e400", "yarn: radius=nan must be a number");
   expect_refused("regret yarn:n=5000 --variant CPU1", "yarn/n:5000 is left out: no other variant takes it");
   expect_says("regret yarn:n=5000 yarn:n=6000 --variant CPU1", 2, {"nothing was measured"});

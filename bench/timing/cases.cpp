@@ -42,6 +42,7 @@ std::string Case::name() const { return fmt::format("{}/{}/{}", facts.label, var
 std::vector<Case> cases(const std::vector<WorkloadSpec>& inputs, const std::vector<VariantInfo>& variants,
                         std::uint32_t most_all_pairs) {
   std::vector<Case> all;
+  require_names_apart(inputs);
   for (const auto& input : inputs) {
     require_utf8(input.input);
     std::ranges::for_each(arguments_of(input.options), require_utf8);

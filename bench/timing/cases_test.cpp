@@ -1,9 +1,11 @@
 #include "catena/bench/timing/cases.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "catena/core/commands/input_options.h"
@@ -38,6 +40,20 @@ TEST(Cases, AreNamedByInputVariantAndStage) {
                                    "path1/n:100/aCPU2+CPU2/update", "path1/n:100/aCPU2+CPU2/whole"}));
 }
 
+/// A time over n would be drawn where the chain has another number of spheres.
+TEST(Cases, AreOfNoOtherNumberOfSpheresThanTheirNameSays) {
+  EXPECT_EQ(label_of({"serpentine:side=6"}), "serpentine:side=6/n:216");
+  EXPECT_EQ(facts_of({"serpentine:side=6,n=216"}).n, 216u);
+  for (const auto& look :
+       {+[](const WorkloadSpec& spec) { facts_of(spec); }, +[](const WorkloadSpec& spec) { workload(spec); }})
+    try {
+      look({"serpentine:side=5,n=1e3"});
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& why) {
+      EXPECT_STREQ(why.what(), "serpentine:side=5,n=1e3 has 125 spheres, whatever n is; leave out n");
+    }
+}
+
 const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
 
 WorkloadSpec in_box(const std::string& input, const std::vector<std::string>& arguments) {
@@ -60,6 +76,33 @@ TEST(Cases, AreOfNoNameThatARunFileCannotHold) {
   for (const std::string name : {"none\xFF.xyz", "none\xC3/a.xyz"}) EXPECT_EQ(refusal({name}), name + why);
   EXPECT_EQ(refusal(in_box(examples + "melt.dump", {"--topology", "a\xFF.data"})), "a\xFF.data" + why);
   EXPECT_EQ(refusal({"Å.xyz"}), "Å.xyz: there is no such file");
+}
+
+/// The samples of two chains would be those of one.
+TEST(Cases, AreOfNoTwoFilesOfOneName) {
+  namespace fs = std::filesystem;
+  const fs::path base = testing::TempDir() + "catena_cases_" + std::to_string(getpid());
+  for (const char* folder : {"a", "b"}) {
+    fs::create_directories(base / folder);
+    std::ofstream(base / folder / "x.xyz") << "0 0 0\n4 0 0\n";
+  }
+  const auto of = [](const std::vector<fs::path>& files) {
+    std::vector<WorkloadSpec> specs;
+    for (const fs::path& file : files) specs.push_back(in_box(file, {"--radius", "1"}));
+    return names_of(cases(specs, named({"CPU1"})));
+  };
+  const fs::path a = base / "a" / "x.xyz", b = base / "b" / "x.xyz";
+  EXPECT_EQ(of({a, base / "b" / ".." / "a" / "x.xyz"}).size(), 2u) << "one file";
+  try {
+    of({examples + "9_47-cubiclattice.txt", a, b});
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& why) {
+    EXPECT_EQ(std::string(why.what()).find(a.string() + " and " + b.string() + " have one name"), 0u)
+        << why.what();
+  }
+  fs::create_symlink(b, base / "y.xyz");
+  EXPECT_EQ(of({a, base / "y.xyz"}).size(), 4u);
+  fs::remove_all(base);
 }
 
 TEST(Cases, AreNamedWithTheBoxInWhichSpaceRepeats) {

@@ -10,11 +10,13 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/naming.h"
 #include "catena/core/parameters/settings.h"
@@ -99,10 +101,21 @@ Label label_of(const WorkloadSpec& spec, const Input& input) {
   return label;
 }
 
+/// The number of spheres, of which a name that says n may say no other: of a `serpentine` its side sets it.
+std::uint32_t spheres_of(const WorkloadSpec& spec, const Input& input) {
+  const std::uint32_t size = input.animation->frame(0).size();
+  const std::string n = written_label(spec, {}).n;
+  if (!n.empty() && n != std::to_string(size))
+    throw InputError(
+        fmt::format("{} has {}, whatever n is; leave out n", spec.input, counted(size, "sphere")));
+  return size;
+}
+
 Workload made(const WorkloadSpec& spec) {
   Workload work;
   work.spec = spec;
   const Input input = open_input(spec.input, spec.options);
+  spheres_of(spec, input);
   work.label = label_of(spec, input).text();
   work.frames = input.animation->frames();
   work.first_frame = spec.all_frames ? 0 : work.frames / 2;
@@ -173,6 +186,21 @@ std::string label_of(const WorkloadSpec& spec) {
   return written.n.empty() ? label_of(spec, open_input(spec.input, spec.options)).text() : written.text();
 }
 
+void require_names_apart(const std::vector<WorkloadSpec>& inputs) {
+  namespace fs = std::filesystem;
+  std::map<fs::path, std::string> files;
+  for (const auto& spec : inputs) {
+    if (SceneRegistry::instance().contains(spec.input.substr(0, spec.input.find(':')))) continue;
+    const std::string& other = files.emplace(fs::path(spec.input).filename(), spec.input).first->second;
+    std::error_code absent;
+    if (other != spec.input && !fs::equivalent(other, spec.input, absent) && !absent)
+      throw InputError(fmt::format(
+          "{} and {} have one name without their folders, by which what is measured is told apart; "
+          "rename one, or give a link to it",
+          other, spec.input));
+  }
+}
+
 WorkloadFacts facts_of(const WorkloadSpec& spec) {
   static std::map<std::string, std::uint32_t> frames_of;  // of scenes that say n
   const std::vector<PeriodicBox> boxes = boxes_of_options(spec);
@@ -184,11 +212,8 @@ WorkloadFacts facts_of(const WorkloadSpec& spec) {
   const Input input = open_input(spec.input, spec.options);  // says what is wrong with n, too
   show_new_warnings(input);
   check_boxes(input);
-  const std::uint32_t frames = input.animation->frames();
-  if (written.n.empty()) {
-    const std::uint32_t size = input.animation->frame(0).size();
-    return {label_of(spec, input).text(), size, frames, !input.boxes.empty()};
-  }
+  const std::uint32_t frames = input.animation->frames(), size = spheres_of(spec, input);
+  if (written.n.empty()) return {label_of(spec, input).text(), size, frames, !input.boxes.empty()};
   frames_of[written.scene] = frames;
   return {written.text(), static_cast<std::uint64_t>(n), frames, !input.boxes.empty()};
 }

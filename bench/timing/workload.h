@@ -61,6 +61,10 @@ struct Workload {
 /// different ones. Opens the input only when it does not say n.
 std::string label_of(const WorkloadSpec& spec);
 
+/// Throws InputError where two files have one name without their folders: their samples would be those of one
+/// case, and their numbers of spheres points of one curve.
+void require_names_apart(const std::vector<WorkloadSpec>& inputs);
+
 /// Opens a file once; of a scene, whose frames are as many at every n, only the first of several that differ
 /// in n alone. What had to be assumed of it is said on standard error, once. Throws what open_input throws,
 /// and what check_box throws.

@@ -33,6 +33,8 @@ void check_answer_options(const Request& request, const AnswerTables& tables) {
     const std::string lower = lower_case(name);
     if (lower.ends_with(".gz"))
       throw InputError(fmt::format("{}: tables are not written packed; name a .csv or .jsonl file", name));
+    if (lower.ends_with(".json"))  // it would hold CSV
+      throw InputError(fmt::format("{}: tables are CSV or JSON lines; name a .csv or .jsonl file", name));
     for (const WriterInfo& writer : WriterRegistry::instance().writers())
       for (const std::string& extension : writer.extensions)
         if (extension != ".csv" && lower.ends_with(extension))

@@ -284,4 +284,12 @@ std::vector<std::string> parse_known_options(std::vector<std::string> arguments,
   return app.remaining();
 }
 
+std::string help_of(const std::string& program, const std::function<void(OptionParser&)>& configure) {
+  CLI::App app;
+  app.set_help_flag();
+  OptionParser parser(app);
+  configure(parser);
+  return app.help(program);
+}
+
 }  // namespace catena

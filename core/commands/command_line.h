@@ -81,4 +81,7 @@ void parse_options(std::vector<std::string> arguments, const std::function<void(
 std::vector<std::string> parse_known_options(std::vector<std::string> arguments,
                                              const std::function<void(OptionParser&)>& configure);
 
+/// What --help says of these options of `program`.
+std::string help_of(const std::string& program, const std::function<void(OptionParser&)>& configure);
+
 }  // namespace catena

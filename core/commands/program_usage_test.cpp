@@ -32,7 +32,7 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect coincident:n=200 --pair-limit 5", "more than the limit of 5");
   expect_says("detect path1:n=1000 --frame all --pair-limit 41", 2,
               {"catena: path1:n=1000 frame 21: found 42 "});
-  for (const char* drawn : {"a.vtp", "A.OBJ", "a.chain", "a.catena", "a.xyz"})
+  for (const char* drawn : {"a.vtp", "A.OBJ", "a.chain", "a.catena", "a.xyz", "a.json"})
     for (const char* table : {" --pairs ", " --counts "})
       expect_refused(std::string("detect path1:n=10") + table + drawn, "tables are CSV or JSON lines");
   for (const char* kept_none : {"--counts-only", "--any"})

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/plan/omissions.h"
 
@@ -85,8 +86,18 @@ void Periodic::build_images(const Chain& chain) {
   Request wanted;
   wanted.queries = {0, chain.size()};
   variant_->prepare(wanted);
-  variant_->build(images_);
+  try {
+    variant_->build(images_);
+  } catch (const CapacityError& why) {  // its number of spheres is none that the caller knows
+    if (ghosts_.empty()) throw;
+    throw CapacityError(fmt::format("{}; {}", why.what(), images_in_words()));
+  }
   images_built_ = true;
+}
+
+std::string Periodic::images_in_words() const {
+  return fmt::format("in a box {} are searched, of which {} at its faces", counted(images_.size(), "sphere"),
+                     ghosts_.size() == 1 ? "1 is an image" : fmt::format("{} are images", ghosts_.size()));
 }
 
 bool Periodic::knows(const Request& request) const {
@@ -99,6 +110,11 @@ Plan Periodic::plan() const {
   for (Decision& step : steps)
     if (images_built_ && step.step == info_of(Omission::pair_list).step)
       step.reason = "in a box pairs are searched for, and decided again";
+  const bool added = images_built_ && !ghosts_.empty(), known = !images_built_ && known_ == true;
+  steps.insert(steps.begin(), {"images at the faces of the box", !added,
+                               added   ? images_in_words()
+                               : known ? "what collides as it is stored is the answer"
+                                       : "no image of the chain reaches another"});
   if (follows_) steps.push_back({"search of the whole frame", false, "in a box each is searched for itself"});
   return steps;
 }
@@ -203,8 +219,7 @@ Chain Periodic::chain_of_images(const Chain& chain) const {
     for (std::uint32_t i = 0; i <= chain.size(); ++i) strands.first.push_back(i);
     strands.closed.assign(chain.size(), 0);
   }
-  strands.first.push_back(all);
-  strands.closed.push_back(0);
+  if (!ghosts_.empty()) strands.first.push_back(all), strands.closed.push_back(0);
   return Chain(spheres_, std::move(strands), std::move(exclusion));
 }
 

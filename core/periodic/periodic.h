@@ -67,6 +67,7 @@ class Periodic final : public Variant {
   void add_ghosts(const Chain& chain);
   Sphere image(const Sphere& sphere, const Shift& shift) const;
   Chain chain_of_images(const Chain& chain) const;
+  std::string images_in_words() const;
   void search(const Search& search, SphereRange queries);
   void meet(const Search& search, const Pair& candidate) const;
   bool collide(const Chain& chain, std::uint32_t i, std::uint32_t j, const Shift& shift) const;

@@ -7,6 +7,7 @@
 #include "catena/core/error.h"
 #include "catena/core/periodic/test_search.h"
 #include "catena/core/plan/omissions.h"
+#include "catena/core/strategy/step_names.h"
 
 namespace catena {
 namespace {
@@ -106,6 +107,39 @@ TEST(Periodic, SearchesAFloodInParts) {
   EXPECT_LT(finds - all, all / 2) << "one pair is the answer yes";
 }
 
+/// The number of spheres that a variant refuses is none of the caller's where images are among them.
+TEST(Periodic, SaysHowManyImagesAVariantRefuses) {
+  const Chain chain({{0, 0, 0, 1}, {5, 5, 5, 1}, {8.5f, 0, 0, 1}, {5, 0, 0, 1}});
+  const auto refusal = [&](const std::string& variant, const PeriodicBox& box) {
+    Periodic periodic(StrategyRegistry::instance().make(variant), box);
+    try {
+      periodic.build(chain);
+    } catch (const CapacityError& why) {
+      return std::string(why.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("bGPU2@host(block=2)+CPU2", {{90, 90, 90}}), "");
+  EXPECT_TRUE(
+      refusal("bGPU2@host(block=2)+CPU2", {{10, 0, 0}})
+          .ends_with("got 5; use aGPU2@host; in a box 5 spheres are searched, of which 1 is an image at its "
+                     "faces"))
+      << refusal("bGPU2@host(block=2)+CPU2", {{10, 0, 0}});
+  EXPECT_TRUE(refusal("bGPU2@host(block=1)+CPU2", {{90, 90, 90}}).ends_with("got 4; use aGPU2@host"));
+}
+
+/// An empty strand of images would have the strands of all spheres looked up.
+TEST(Periodic, SearchesOneOpenStrandWithoutImagesAsOne) {
+  Periodic periodic(StrategyRegistry::instance().make("auto"), {{90, 90, 90}});
+  const Chain chain({{0, 0, 0, 1}, {5, 5, 5, 1}, {1, 0, 0, 1}});
+  Collisions result;
+  periodic.build(chain);
+  periodic.find(chain, {}, result);
+  EXPECT_EQ(result.pairs, (Pairs{{0, 2}}));
+  const Plan plan = periodic.plan();
+  EXPECT_TRUE(std::ranges::find(plan, std::string(strand_table_step), &Decision::step)->left_out);
+}
+
 /// For yes or no the chain is searched as it is stored, and its images where they may make a difference.
 TEST(Periodic, LooksForImagesWhereTheyDecide) {
   const Request any{.want = Request::Want::any};
@@ -124,6 +158,12 @@ TEST(Periodic, LooksForImagesWhereTheyDecide) {
     };
     const std::string decided_again = "in a box pairs are searched for, and decided again";
     EXPECT_EQ(list(periodic.plan()) == decided_again, images);
+    EXPECT_EQ(periodic.plan().front().step, "images at the faces of the box");
+    EXPECT_EQ(periodic.plan().front().left_out, !images);
+    if (!images) {
+      EXPECT_EQ(periodic.plan().front().reason,
+                is ? "what collides as it is stored is the answer" : "no image of the chain reaches another");
+    }
     const Request of_the_middle{.want = Request::Want::any, .queries = {1, 2}};
     periodic.prepare(of_the_middle);  // the next one
     periodic.find(chain, of_the_middle, result);

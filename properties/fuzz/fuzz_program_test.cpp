@@ -122,6 +122,11 @@ TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {
   }
 }
 
+TEST_F(FuzzProgram, NoMarginIsToldWhereNoneWasMet) {
+  expect_says("fuzz --variant Grid --cases 2 --max-spheres 1", 0, {"smallest margin       none\n"});
+  expect_says("fuzz --variant Grid --cases 200 --scene-family ulps", 0, {"smallest margin      2^-"});
+}
+
 TEST_F(FuzzProgram, AFailureThatDependsOnHistoryIsASequence) {
   const std::string variant = "--variant mutant:stale-after-a-longer-chain";
   expect_says(at("--cases 1000 " + variant), 1,

@@ -66,7 +66,8 @@ void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted) {
   const Interest best = fuzzer.pool().best();
   for (std::size_t t = 0; t < Interest::targets; ++t)
     if (t == 2)
-      fmt::print("  {:<16}{:>10}\n", Interest::names[t], fmt::format("2^-{:.0f}", best.score[t]));
+      fmt::print("  {:<16}{:>10}\n", Interest::names[t],
+                 best.score[t] > 0 ? fmt::format("2^-{:.0f}", best.score[t]) : "none");  // of 0 < margin < 1
     else
       fmt::print("  {:<16}{:>10.0f}\n", Interest::names[t], best.score[t]);
 }

@@ -4,7 +4,13 @@ import os
 import signal
 import sys
 
+HEEDS_INTERRUPTS = signal.getsignal(signal.SIGINT) is signal.default_int_handler  # not so under nohup
+if __name__ == "__main__" and HEEDS_INTERRUPTS:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while packages are loaded: nothing is half written yet
+
 from . import checks, compare, runfile
+
+DESCRIBING = {"schema", "profile", "variants"}  # keys of `catena` that say nothing of what was measured
 
 
 class Parser(argparse.ArgumentParser):
@@ -56,10 +62,25 @@ def _compared(old, new, least_ratio):
         raise checks.unusable(f"{old} and {new}", "they cannot be compared", error) from error
 
 
+def _each_once(given):
+    """The page of several runs holds them all, so that it and one of them may be given together."""
+    runs = []
+    for run in given:
+        if any(run.raw == other.raw for other in runs):
+            print(f"catena report: {run.where} is a run that was given before, and is shown once", file=sys.stderr)
+        else:
+            runs.append(run)
+    return runs
+
+
 def _page(paths, output):
-    runs = [run for path in paths for run in runfile.load_all(path)]
+    runs = _each_once(run for path in paths for run in runfile.load_all(path))
     for run in runs:
         checks.drawable(run.where, run.inputs())
+        if not (run.samples or run.refused or run.catena.keys() - DESCRIBING):
+            raise runfile.BadRunFile(
+                f"{run.where}: holds no sample; give a file of catena_bench without --benchmark_report_aggregates_only"
+            )
     from . import page, report  # only now: reading two runs needs no plots
 
     try:
@@ -100,6 +121,8 @@ def _ended(signal_number, _):
 
 if __name__ == "__main__":
     signal.signal(signal.SIGTERM, _ended)
+    if HEEDS_INTERRUPTS:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     if sys.stdout.errors == "strict":
         sys.stdout.reconfigure(errors="backslashreplace")  # a folder has what name it has, also in a locale without it
     try:

@@ -38,14 +38,23 @@ class Report:
         """{run: {input: samples by variant}} of {run: the same}: of runs of one machine that timed the same chain,
         only the one that timed the most variants keeps it, so that no other advice contradicts it.
         """
-        most = {}
+        hashes, most = collections.defaultdict(set), {}
+        for run, cases in views.items():
+            for input_ in cases:
+                hashes[_machine(run), input_].update(filter(None, [run.scene(input_).get("hash")]))
+
+        def chain(run, input_):
+            """Files of one name may hold several."""
+            key = _machine(run), input_
+            return *key, run.scene(input_).get("hash") if len(hashes[key]) > 1 else None
+
         for run, cases in views.items():
             for input_, row in cases.items():
-                key = _machine(run), input_
+                key = chain(run, input_)
                 if key not in most or len(row) > len(views[most[key]][input_]):
                     most[key] = run
         return {
-            run: {input_: row for input_, row in cases.items() if most[_machine(run), input_] is run}
+            run: {input_: row for input_, row in cases.items() if most[chain(run, input_)] is run}
             for run, cases in views.items()
         }
 

@@ -241,6 +241,17 @@ class TwoRunsOfOneMachine(unittest.TestCase):
             informed = report.Report.best_informed(None, views)
             self.assertEqual(tuple("path1/n:10" in informed[run] for run in runs), kept, gpus)
 
+    def test_files_of_one_name_that_hold_two_chains_both_keep_their_advice(self):
+        for hashes, kept in ((("1", "1"), (False, True)), (("1", "2"), (True, True)), ((None, "1"), (False, True))):
+            runs = [
+                runfile.Run("run.json", {"context": {"cpu": "C"}, "benchmarks": [], "catena": {
+                    "scenes": [{"input": "a.csv/n:10", **({"hash": hash_} if hash_ else {})}]
+                }}) for hash_ in hashes
+            ]  # fmt: skip
+            views = {run: {"a.csv/n:10": {name: [1] for name in names}} for run, names in zip(runs, ("v", "vw"))}
+            informed = report.Report.best_informed(None, views)
+            self.assertEqual(tuple("a.csv/n:10" in informed[run] for run in runs), kept, hashes)
+
 
 class InWords(unittest.TestCase):
     def test_one_length_is_no_range(self):

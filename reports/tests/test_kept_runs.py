@@ -54,6 +54,24 @@ class Kept(unittest.TestCase):
         held.write_text("7")  # whatever it was
         self.assertEqual(self.page_of(self.file["a.json"])[::2], (2, 7))
 
+    def test_a_run_without_a_sample_has_no_page(self):
+        """As catena_bench writes it when it is asked for means and medians alone."""
+        empty = made.write(self.folder, run(0) | {"benchmarks": run(0)["benchmarks"][1:]}, "empty.json")
+        err = io.StringIO()
+        with contextlib.redirect_stderr(err):
+            self.assertEqual(command.main(["--output", str(self.page), str(empty)]), 2)
+        self.assertRegex(err.getvalue(), r"\A[^\n]*empty.json: holds no sample; give a file [^\n]*\n\Z")
+
+    def test_a_run_that_is_given_twice_is_shown_once(self):
+        """As where a page is made again of its own runs and the last of them."""
+        a, b = self.file.values()
+        together = made.write(self.folder, [run(0), run(1)], "together.json")
+        code, said, kept = self.page_of(together, b, a)
+        self.assertEqual((code, kept), (0, [run(0), run(1)]))
+        self.assertEqual(said, "".join(
+            f"catena report: {given} is a run that was given before, and is shown once\n" for given in (b, a)
+        ))  # fmt: skip
+
     def test_the_list_that_a_page_of_several_has_beside_it_is_read_again(self):
         runs = [run(0), run(1)]
         self.assertEqual(self.page_of(*self.file.values()), (0, "", runs))

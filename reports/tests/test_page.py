@@ -13,7 +13,7 @@ import unittest.mock
 
 import made
 import pages
-from catena_report import page, runfile, sections, style
+from catena_report import page, runfile, section, sections, style
 
 
 class Everything(pages.Made):
@@ -117,8 +117,9 @@ class Short(pages.Made):
         super().setUpClass()
 
     def test_what_is_said_of_a_section_leads_to_it_or_is_no_link(self):
-        self.assertNotIn("times", self.page.sections)
-        self.assertIn("<strong>Compared</strong> on", self.text)
+        self.assertIn('<a href="#times"><strong>Compared</strong></a> on', self.text)
+        alone = section.Section("times", "", [section.Prose(section.link("times", "A") + section.link("slowdown", "B"))])
+        self.assertEqual(section.without_dead_links([alone])[0].blocks[0].text, '<a href="#times"><strong>A</strong></a><strong>B</strong>')
         self.assertIn("claims", self.page.sections)  # of the committed run: the summary tells of it
         self.assertIn("No run of this page can test any.", self.text)
         self.assertEqual({row[2].partition(" committed ")[1] for row in self.page.tables["claims"][1:]}, {" committed "})

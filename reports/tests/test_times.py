@@ -75,6 +75,31 @@ class Times(unittest.TestCase):
                 self.assertAlmostEqual(cell.raw, plain.linear_regression(x, y).slope)
                 self.assertAlmostEqual(cell.raw, 1, delta=0.05)
 
+    @recomputes("table:times")
+    def test_a_chain_alone_of_its_scene_has_its_times_in_a_table(self):
+        """As a file has, and be it of one variant: no curve goes through one point."""
+        value = made.run()
+        value["benchmarks"] = [row for row in value["benchmarks"] if row["name"].startswith("path1/n:3000/aCPU2+")]
+        for kept in (value["benchmarks"], [row for row in value["benchmarks"] if "/aCPU2+Dual/" in row["name"]]):
+            shown = pages.shown({**value, "benchmarks": kept})
+            self.assertNotIn("figure:times-find", shown.keys())
+            table = shown.tables["times"]
+            stages = {"construction": "build", "update of a moved frame": "update", "traversal": "find", "whole call": "whole"}
+            for row in table.rows:
+                for column, cell in zip(table.columns[2:], row[2:]):
+                    stage = stages[column.removesuffix(", ms")]
+                    times = [
+                        one["real_time"] / 1e6 for one in kept
+                        if one["name"].removesuffix("/manual_time") == f"path1/n:3000/{row[1].text}/{stage}"
+                    ]
+                    self.assertAlmostEqual(cell.raw, plain.median(times))
+            named = {row["name"].removesuffix("/manual_time").split("/n:3000/")[1].rpartition("/")[0] for row in kept}
+            self.assertEqual([row[0].text for row in table.rows], ["path1/n:3000"] * len(named))
+            self.assertEqual({row[1].text for row in table.rows}, named)
+            whole = [row[-1].raw for row in table.rows]
+            self.assertEqual(whole, sorted(whole))
+        self.assertNotIn("table:times", self.shown.keys())  # curves show all of it
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -177,6 +177,17 @@ class Written(unittest.TestCase):
                         out, err = writer.communicate(timeout=60)
                 self.assertEqual((writer.returncode, out, err), (ends, "", said))
 
+    def test_who_is_interrupted_while_packages_are_loaded_shows_no_traceback(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "numpy.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
+            done = subprocess.run(
+                [sys.executable, "-m", "catena_report", "--output", folder + "/page", "run.json"],
+                env={**ENVIRONMENT, "PYTHONPATH": os.pathsep.join([folder, ENVIRONMENT["PYTHONPATH"]])},
+                capture_output=True, text=True,
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+            )  # fmt: skip
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (-signal.SIGINT, "", ""))
+
     def test_a_full_disk_under_the_output_is_said(self):
         with open("/dev/full", "w") as full:
             done = subprocess.run(

@@ -34,7 +34,8 @@ TEST_F(BenchProgram, WritesARunFileThatDescribesItsVariants) {
   EXPECT_TRUE(run["context"].contains("commit"));
 
   EXPECT_EQ(measure("--nonsense=1"), 2);
-  EXPECT_EQ(measure("--help"), 0) << "Google Benchmark's";
+  EXPECT_EQ(measure("--benchmark_filter=nothing"), 2) << "nothing was measured";
+  EXPECT_EQ(measure("--help"), 0);
 
   // Spreads of what is always 0 are no numbers.
   ASSERT_EQ(measure("--benchmark_repetitions=2 --benchmark_out='" + file("spread.json") + "'"), 0);
@@ -45,6 +46,14 @@ TEST_F(BenchProgram, WritesARunFileThatDescribesItsVariants) {
   ASSERT_EQ(measure("--benchmark_out_format=csv --benchmark_out='" + file("run.csv") + "'"), 0);
   EXPECT_NE(text_of(file("run.csv")).find("aCPU2+Dual/find"), std::string::npos);
   EXPECT_EQ(text_of(file("run.csv")).find("catena\":"), std::string::npos);
+}
+
+TEST_F(BenchProgram, SaysItsOwnOptionsBesideGoogles) {
+  const auto program = std::filesystem::path(CATENA_PROGRAM).parent_path() / "catena_bench";
+  const std::string help = shell("'" + program.string() + "' --help > '" + file("out") + "'").output;
+  for (const std::string option :
+       {"Usage: catena_bench", "--scene", "--n ", "--flush-cache", "--radius R", "--benchmark_filter="})
+    EXPECT_NE(help.find(option), std::string::npos) << option << help;
 }
 
 /// A scene with n as it is, one without at every size; of all scenes those that strain nothing.
@@ -64,6 +73,7 @@ TEST_F(BenchProgram, MeasuresEveryInputAtItsSizes) {
       labels("--scene path1:n=70 --scene yarn:seed=2,n=80 --scene rod --scene yarn:seed=2 --n 50 --n 60"),
       (Labels{"path1/n:70", "yarn:seed=2/n:80", "rod/n:50", "rod/n:60", "yarn:seed=2/n:50",
               "yarn:seed=2/n:60"}));
+  EXPECT_EQ(labels("--scene serpentine:side=6 --n 50 --n 60"), (Labels{"serpentine:side=6/n:216"}));
   Labels ordinary;
   for (const SceneInfo& scene : SceneRegistry::instance().scenes())
     if (scene.strains.empty() && scene.name != "rope") ordinary.insert(scene.name + "/n:40");

@@ -1,17 +1,19 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "catena/bench/timing/google/benchmarks.h"
+#include "catena/core/commands/command_line.h"
 #include "catena/core/commands/guarded_main.h"
 #include "catena/core/commands/input_options.h"
-#include "catena/core/commands/command_line.h"
 #include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
+#include "catena/core/input/input.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/scenes/scene.h"
@@ -28,21 +30,38 @@ struct Options {
                                    100'000, 150'000, 1'000'000, 3'000'000, 10'000'000};
 };
 
+void add_options(OptionParser& app, Options& options) {
+  app.add_option("--scene", options.scenes, "Scene or file; repeatable (default: scenes that strain nothing)")
+      .allow_extra_args(false);
+  app.add_option("--n", options.sizes, "Spheres; repeatable").allow_extra_args(false);
+  app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
+  add_input_options(app, options.input);
+}
+
 /// Takes the options that are catena's own; what is left is Google Benchmark's.
 std::vector<std::string> take_options(int argc, char** argv, Options& options) {
-  auto rest = parse_known_options({argv + 1, argv + argc}, [&](OptionParser& app) {
-    app.add_option("--scene", options.scenes,
-                   "Scene or file; repeatable (default: scenes that strain nothing)")
-        .allow_extra_args(false);
-    app.add_option("--n", options.sizes, "Spheres; repeatable").allow_extra_args(false);
-    app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
-    add_input_options(app, options.input);
-  });
+  auto rest =
+      parse_known_options({argv + 1, argv + argc}, [&](OptionParser& app) { add_options(app, options); });
   rest.insert(rest.begin(), argv[0]);
   return rest;
 }
 
-/// Every input at every size: "yarn:seed=2" is measured at each, "yarn:n=500" and files as they are.
+/// Of both: Google Benchmark knows of its own alone.
+void print_help() {
+  Options options;
+  fmt::print("{}\n", help_of("catena_bench", [&](OptionParser& app) { add_options(app, options); }));
+  std::fflush(stdout);
+  benchmark::PrintDefaultHelp();
+}
+
+std::string with_n(const std::string& scene, std::uint32_t n) {
+  return fmt::format("{}{}n={}", scene, scene.find(':') == std::string::npos ? ':' : ',', n);
+}
+
+std::uint32_t size_of(const std::string& scene) { return open_input(scene).animation->frame(0).size(); }
+
+/// Every input at every size: "yarn:seed=2" is measured at each, "yarn:n=500", "serpentine:side=6" and files
+/// as they are.
 std::vector<bench::WorkloadSpec> inputs(const Options& options) {
   std::vector<std::string> scenes = options.scenes;
   const auto& known = SceneRegistry::instance();
@@ -54,12 +73,10 @@ std::vector<bench::WorkloadSpec> inputs(const Options& options) {
     const auto colon = scene.find(':');
     const bool sized = !known.contains(scene.substr(0, colon)) || scene.find(":n=") != std::string::npos ||
                        scene.find(",n=") != std::string::npos;
-    if (sized)
+    if (sized || (colon != std::string::npos && size_of(with_n(scene, options.sizes[0])) != options.sizes[0]))
       specs.push_back({scene, false, options.input});
     else
-      for (const std::uint32_t n : options.sizes)
-        specs.push_back({fmt::format("{}{}n={}", scene, colon == std::string::npos ? ':' : ',', n), false,
-                         options.input});
+      for (const std::uint32_t n : options.sizes) specs.push_back({with_n(scene, n), false, options.input});
   }
   return specs;
 }
@@ -101,10 +118,11 @@ int run(int argc, char** argv) {
   const auto cases = bench::cases(inputs(options), StrategyRegistry::instance().variants());
   for (const auto& c : cases)
     bench::register_benchmark(c, std::make_shared<bench::Trial>(c.spec, c.variant, options.flush_cache));
-  benchmark::Initialize(&count, pointers.data());
+  benchmark::Initialize(&count, pointers.data(), print_help);
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-  benchmark::RunSpecifiedBenchmarks();
+  const bool measured = benchmark::RunSpecifiedBenchmarks() > 0;  // it says so itself where none matched
   benchmark::Shutdown();
+  if (!measured) return 2;
   const std::string file = flag(rest, "benchmark_out"), format = flag(rest, "benchmark_out_format");
   if (!file.empty() && (format.empty() || format == "json")) describe_variants(file, cases);
   return 0;

@@ -19,19 +19,22 @@ SHOWN = 12  # series drawn at first; the legend has the others
 
 
 def build(report):
-    section = Section("times", "Times over the number of spheres")
+    section = Section("times", "Times")
     for run in report.runs:
-        scenes = {scene: inputs for scene, inputs in report.sizes(run).items() if len(inputs) > 1}
-        if not scenes:
+        sizes = report.sizes(run)
+        scenes = {scene: inputs for scene, inputs in sizes.items() if len(inputs) > 1}
+        if not sizes:
             continue
         section.blocks += report.heading(run)
+        if scenes:
+            section.title = "Times over the number of spheres"
         for stage in STAGES:
             figure = _figure(report, run, scenes, stage)
             if figure:
                 section.blocks.append(figure)
-        table = exponents(report, run, scenes)
-        if table.rows:
-            section.blocks.append(table)
+        for table in (exponents(report, run, scenes), _of_one_length(report, run, sizes)):
+            if table.rows:
+                section.blocks.append(table)
     return section if section.blocks else None
 
 
@@ -152,6 +155,39 @@ def _message(run, drawn, stage):
         f"{STAGES[stage].capitalize()} at the largest n: " + words.listed(parts, 4)
         if parts
         else f"{STAGES[stage].capitalize()} times"
+    )
+
+
+def _of_one_length(report, run, sizes):
+    """Chains of whose scene no other length was timed, such as a file: no figure has them."""
+    timed = {}  # (input, variant) -> stage -> its median
+    for input_, variant, stage in run.samples:
+        if len(sizes[runfile.scene_of(input_)]) == 1:
+            timed.setdefault((input_, variant), {})[stage] = report.median(run, input_, variant, stage)
+    stages = [stage for stage in STAGES if any(stage in found for found in timed.values())]
+    slowest = lambda found: max(estimate.value for estimate in found.values())  # noqa: E731
+    rows = [
+        [
+            *case,
+            *[
+                Cell(f"{words.ms(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}]", e.value)
+                if (e := found.get(stage)) else ""
+                for stage in stages
+            ],
+        ]
+        for case, found in sorted(timed.items(), key=lambda item: (item[0][0], slowest(item[1]), item[0][1]))
+    ]
+    return Table(
+        f"times{report.key(run)}",
+        "Times of chains of which one length was timed",
+        (
+            "Median milliseconds with their 95 % interval by order statistics (the range below six repetitions),"
+            " the quickest of each chain first, by the longest that is shown. Peers and rounded arithmetic are among"
+            " them; of a variant that was refused there is none."
+        ),
+        ["chain", "variant", *[f"{STAGES[stage]}, ms" for stage in stages]],
+        rows,
+        words=2,
     )
 
 
