@@ -34,6 +34,21 @@ TEST(OneLine, ShortensLongWords) {
   EXPECT_LT(text.size(), 220u);
   EXPECT_TRUE(text.starts_with("one xxx"));
   EXPECT_TRUE(text.ends_with("xxx two"));
+  const std::string longest(200, 'x');
+  EXPECT_EQ(one_line(longest), longest);
+  EXPECT_LT(one_line(longest + 'x').size(), longest.size());
+}
+
+TEST(OneLine, CutsNoCharacterInTwo) {
+  for (const std::string character : {"é", "鎖", "🧬"})
+    for (std::size_t shift = 0; shift < 4; ++shift)
+      for (std::size_t end = 0; end < 4; ++end) {
+        std::string word(shift, 'x');
+        for (int k = 0; k < 300; ++k) word += character;
+        const std::string line = one_line(word += std::string(end, 'x'));
+        EXPECT_LT(line.size(), word.size());
+        EXPECT_EQ(one_line(line), line) << "every byte of it is shown";
+      }
 }
 
 RC_GTEST_PROP(OneLine, LeavesNoControlByteAndNoLongWord, ()) {

@@ -242,6 +242,7 @@ TEST(Verify, ACertificateIsOfWhatFindAnswers) {
   for (const auto spoil : {lose_a_pair, repeat_a_pair, miscount}) {
     Witness lost_in_find(0, spoil), lost_in_evidence(0, {}, spoil);
     EXPECT_EQ(verify_by_certificate(lost_in_find, rod(), 1000, pairs).verdict, Verdict::wrong);
+    EXPECT_EQ(pairs, exact_answer(rod(), 1000).pair_count) << "what is proved, whatever was found";
     const Verification v = verify_by_certificate(lost_in_evidence, rod(), 1000, pairs);
     EXPECT_EQ(v.verdict, Verdict::wrong);
     EXPECT_EQ(v.reason, "the search with evidence gives another answer than its evidence proves");

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "catena/bench/enumerate/judge.h"
 #include "catena/core/commands/test_program.h"
@@ -47,6 +51,23 @@ TEST_F(EnumerateProgram, CountsWhatIsAsked) {
   const OtherLattice& diamond = *other_lattice("diamond");
   expect_told("--walks 3 --lattice diamond", {{.radius = below, .steps = 3, .other = &diamond}});
   expect_told("--walks 3 --lattice diamond --radius 1", {{.radius = 1, .steps = 3, .other = &diamond}});
+}
+
+TEST_F(EnumerateProgram, HeadsEachTableByWhatItCounts) {
+  const std::string variant = " --variant CPU1", told = run("enumerate --walks 3" + variant).output;
+  std::istringstream lines(run("enumerate --walks 3 --json" + variant).output);
+  std::set<std::string> heads;
+  for (std::string line; std::getline(lines, line);) {
+    const auto json = nlohmann::json::parse(line);
+    heads.insert(fmt::format("radius {:.9g}, CPU1: {}", json["radius"].get<float>(),
+                             json["counts"].get<std::string>()));
+  }
+  EXPECT_EQ(heads.size(), 3u);
+  for (const std::string& head : heads) {
+    const std::size_t at = told.find(head);
+    ASSERT_NE(at, std::string::npos) << head;
+    EXPECT_EQ(told.find(head, at + 1), std::string::npos) << head << " twice";
+  }
 }
 
 TEST_F(EnumerateProgram, SaysWhatIsNotPublishedAndWhatDiffers) {

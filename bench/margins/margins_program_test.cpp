@@ -79,6 +79,8 @@ TEST_F(MarginsProgram, TellsWhatRoundingLeavesOpenAndTheBoxOfEachFrame) {
 
 TEST_F(MarginsProgram, ShowsThePowersOfTenThatHavePairs) {
   expect_says("margins rod:n=3", 0, {"no pair has a margin below 1\n"});
+  expect_says("margins collinear:n=9", 0,
+              {"; 7 touch exactly\n", "\n  below 1e-15                   7            0\n"});
   const std::string csv = write("a.csv", "x,y,z,r\n0,0,0,1\n50,0,0,0\n1,0,0,1\n90,0,0,0\n3.002,0,0,1\n");
   // |1 - 4| / 4 and |2.002^2 - 4| / 4
   expect_says(

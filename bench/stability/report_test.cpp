@@ -82,6 +82,17 @@ TEST(StabilityReport, ShowsTheWorst) {
     EXPECT_EQ(worst(cells), "wrong -0 +3 by 1e-07");
 }
 
+TEST(StabilityReport, CountsWhoEndsLikeTheWorstOfAnArithmeticAmongItsOwn) {
+  Cell robust = wrong("C", 2, 0);
+  robust.arithmetic = "robust";
+  const std::string line = printed([&] {
+    StabilityReport(Form::table, {"knot"}, {"A"}, {"literal", "robust"})
+        .scene({wrong("A", 1, 0), cell("B", Outcome::exact), robust});
+  });
+  EXPECT_NE(line.find("wrong -2 +0 by 1e-07  "), std::string::npos) << line;
+  EXPECT_NE(line.find("wrong -1 +0 by 1e-07 (1/2)"), std::string::npos) << line;
+}
+
 TEST(StabilityReport, HasAHeadOfItsFormAndArithmeticsInTheirOrder) {
   const auto head = [](Form form) {
     return printed([&] {

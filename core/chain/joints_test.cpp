@@ -67,6 +67,16 @@ TEST(Joints, AreCrossedAtTheLimitOfTheReach) {
   EXPECT_EQ(pairs_across_joints(far, strands, Pairs{{1, 2}}, Exclusion::arc(1)), (Pairs{{0, 2}, {1, 2}}));
 }
 
+/// From the joint the steps along the second strand add up to more than the limit, and from its other end
+/// to 1.
+TEST(Joints, AreCrossedWhereTheSameWayIsRoundedDifferently) {
+  const float tiny = 0x1p-53f;
+  const std::vector<Sphere> spheres{{1, 0, tiny, 0.5f}, {1, 0, tiny, 0}, {1, tiny, tiny, 0},
+                                    {1, tiny, 0, 0},    {1, 0, 0, 0},    {0, 0, 0, 0.5f}};
+  EXPECT_EQ(pairs_across_joints(spheres, {{0, 1, 6}, {0, 0}}, Pairs{{0, 1}}, Exclusion::arc(1 + 0x1p-52)),
+            (Pairs{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}));
+}
+
 TEST(Joints, GoAroundClosedStrands) {
   const Strands ring{{0, 5, 8}, {1, 0}};
   const auto pairs = pairs_across_joints(tree, ring, Pairs{{0, 5}}, Exclusion::index(2));

@@ -19,7 +19,7 @@ struct Values {
   std::vector<std::uint32_t> sizes;
   double share = 0, length = 0;
   std::string file, order, input;
-  std::vector<std::string> names;
+  std::vector<std::string> names, compared;
 };
 
 void configure(OptionParser& app, Values& v) {
@@ -31,6 +31,7 @@ void configure(OptionParser& app, Values& v) {
   app.add_option("--pairs", v.file, "");
   app.add_option("--variant", v.names, "").allow_extra_args(false);
   app.add_option("--order", v.order, "").one_of({"chain", "space"});
+  app.add_option("--compare", v.compared, "").expected(2);
 }
 
 Values parsed(const std::vector<std::string>& arguments) {
@@ -55,6 +56,11 @@ TEST(CommandLine, TakesCountsAsPeopleWriteThem) {
   EXPECT_EQ(parsed({"--count", "1e3"}).count, 1000u);
   EXPECT_EQ(parsed({"--n", "1e3", "--n", "2.5e4"}).sizes, (std::vector<std::uint32_t>{1000, 25'000}));
   EXPECT_EQ(parsed({"--share", "-1e30"}).share, -1e30);
+}
+
+TEST(CommandLine, TakesBothEndsOfARange) {
+  for (const std::uint32_t end : {2u, 5000u}) EXPECT_EQ(parsed({"--count", std::to_string(end)}).count, end);
+  for (const std::string end : {"-1e30", "1e30"}) EXPECT_EQ(parsed({"--share", end}).share, std::stod(end));
 }
 
 TEST(CommandLine, SaysWhatANumberShouldHaveBeen) {
@@ -89,6 +95,7 @@ TEST(CommandLine, TakesNoOptionForAValueAndOneValueOfAnOption) {
   EXPECT_EQ(refusal({"--pairs"}), "--pairs lacks a value");
   EXPECT_EQ(refusal({"--pairs", ""}), "--pairs: '' is no value; give one, or leave the option out");
   EXPECT_EQ(refusal({"--pairs="}), "--pairs lacks a value");
+  EXPECT_EQ(refusal({"--compare", "a"}), "--compare takes 2 values");
   EXPECT_EQ(refusal({"x", "-"}), "- is one argument too many");
   EXPECT_EQ(parsed({"--variant", "a", "--variant", "b"}).names, (std::vector<std::string>{"a", "b"}));
 }

@@ -28,6 +28,7 @@ TEST_F(Program, TellsWhatItTookStageByStage) {
   const Json line = Json::parse(run("detect path1:n=5000 --variant CPU1 --json").output);
   EXPECT_LT(line["build_ms"], line["find_ms"]);
   EXPECT_EQ(line["transfer_ms"], 0) << "nothing leaves the host";
+  EXPECT_FALSE(line.contains("start_ms")) << "of a device, and none was started";
   EXPECT_FALSE(line.contains("answered_by"));
   EXPECT_FALSE(line.contains("plan")) << "not asked for";
   EXPECT_EQ(Json::parse(run("detect path1:n=20 --json").output)["answered_by"], "CPU1");
@@ -41,6 +42,29 @@ TEST_F(Program, ShowsThePlanOfWhatItDetects) {
     return std::stod(plain.substr(plain.find(stage) + stage.size()));
   };
   EXPECT_LT(ms("build "), ms("find ")) << plain;
+}
+
+/// Of a chain alone as of one, and of frames that follow one another as of these.
+TEST_F(Program, ChoosesWhatItsPlanSays) {
+  for (const std::string frames : {"--frame 3", "--frame all"}) {
+    const auto choice = [&](const std::string& command) {
+      const std::string said = run(command + " path1:n=5000 --counts-only --json " + frames).output;
+      return Json::parse(lines_of(said).front())["plan"][0]["reason"];
+    };
+    EXPECT_EQ(choice("detect --plan"), choice("plan --run")) << frames;
+  }
+}
+
+TEST_F(Program, ListsWhatEachNameMeans) {
+  const std::string told = run("list").output;
+  const auto expect_line = [&](const std::string& words) {
+    EXPECT_NE(told.find(" " + words + "\n"), std::string::npos) << words;
+  };
+  for (const auto& reader : ReaderRegistry::instance().readers())
+    expect_line(reader.name + ": " + reader.summary + "; labels: " + reader.label);
+  for (const WriterInfo& writer : WriterRegistry::instance().writers())
+    expect_line(writer.name + ": " + writer.summary);
+  for (const SceneInfo& scene : SceneRegistry::instance().scenes()) expect_line(scene.summary);
 }
 
 TEST_F(Program, TellsWhatThinningHasCost) {

@@ -118,6 +118,8 @@ TEST_F(Program, SaysWhatAnExportLoses) {
     EXPECT_EQ(kept(line + ring, out), std::pair(true, true)) << out;
     EXPECT_EQ(kept(ring + line, out), std::pair(false, true)) << out;
     EXPECT_EQ(kept(two_closed, out), std::pair(true, false)) << out;
+    EXPECT_EQ(kept("strand closed 0\n" + line + ring + "strand open 0\n", out), std::pair(true, true))
+        << "strands without spheres have no place";
   }
   EXPECT_EQ(kept(two_closed + line, "a.csv"), std::pair(true, true));
   // A chain keeps the arc lengths of frame 0, by which spheres of a frame that shrank are no neighbours.

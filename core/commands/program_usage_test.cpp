@@ -26,6 +26,8 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect path1:n=10 --counts-only --pairs p.csv", "--counts-only");
   expect_refused("detect path1:n=10 --radius wide", "--radius wide");
   expect_refused("detect path1:n=10 --radius -1", "--radius -1");
+  expect_refused("detect path1:n=10 --radius 1e-50",
+                 "--radius 1e-50: is no 0, but binary32 has no radius so small");
   expect_refused("detect path1:n=10 --window 2 --arc-window 1", "excludes");
   expect_refused("detect path1:n=10 --window 0", "window");
   expect_refused("detect path1:n=3000 --variant bGPU2@host+CPU2", "aGPU2");

@@ -4,7 +4,10 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
+
+#include "catena/core/strategy/timings.h"
 
 namespace catena {
 namespace {
@@ -70,6 +73,13 @@ TEST(Team, OfOneIsTheCaller) {
     for (std::uint32_t k = begin; k < end; ++k) seen.push_back(k);
   });
   EXPECT_EQ(seen, (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  const Team others(threads("0"));
+  std::atomic<unsigned> met = 0;
+  others.for_each_range(others.size(), 1, [&](std::uint32_t, std::uint32_t) {
+    ++met;
+    for (const Stopwatch watch; met < others.size() && watch.ms() < 500;) std::this_thread::yield();
+    EXPECT_EQ(alone.member(), 0u) << "by whichever thread of another team";
+  });
 }
 
 TEST(Team, MayBeCalledByATeam) {

@@ -72,7 +72,7 @@ void close_strands(CurveFile& curves, const std::string& name) {
   if (curves.exclusion.extra_pairs.empty()) drop_repeated_ends(curves);
 }
 
-// From this share of its radius on, a sphere's coordinates are said to have lost too much when they were
+// Above this share of its radius a sphere's coordinates are said to have lost too much when they were
 // rounded.
 constexpr double greatest_share = 1e-3;
 
@@ -86,7 +86,7 @@ void warn_of_rounding(CurveFile& curves, bool own_radii) {
     share = rounding.greatest_error() / radius;
   if (share <= greatest_share) return;
   curves.warnings.push_back(
-      fmt::format("binary32 rounds coordinates by up to {:.3g}, {:.3g} of a radius (said from {} on){}",
+      fmt::format("binary32 rounds coordinates by up to {:.3g}, {:.3g} of a radius (said above {}){}",
                   rounding.greatest_error(), share, greatest_share,
                   rounding.origin() ? "" : "; --recentre takes an origin off before"));
 }

@@ -120,7 +120,7 @@ TEST(OpenInput, MeasuresWhatRoundingHasCost) {
   EXPECT_EQ(rounding("16777217", {.recentre = true}), 0);
   EXPECT_EQ(rounding("16777217", {.recentre = true, .origin = {{16777216, 0, 0}}}), 0);
   EXPECT_EQ(rounding("-16777217", {.recentre = true, .origin = {{16777216, 0, 0}}}), 1);
-  // It is said from a thousandth of a radius on, of own radii and of one for all.
+  // It is said above a thousandth of a radius, of own radii and of one for all.
   for (const auto& [radius, said] : {std::pair(1000.5f, false), {999.5f, true}, {50.0f, true}}) {
     const TestFile points("a.csv", "x,y,z\n16777217,0,0\n"),
         spheres("b.csv", fmt::format("x,y,z,r\n16777217,0,0,{}\n", radius));
@@ -132,7 +132,7 @@ TEST(OpenInput, MeasuresWhatRoundingHasCost) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(
       open_input(points.path().string(), {.radius = 2.0f}).warnings,
-      Texts{"binary32 rounds coordinates by up to 1, 0.5 of a radius (said from 0.001 on); --recentre takes "
+      Texts{"binary32 rounds coordinates by up to 1, 0.5 of a radius (said above 0.001); --recentre takes "
             "an origin off before"});
   EXPECT_EQ(open_input(points.path().string(), {.radius = 2.0f, .reading = {.recentre = true}}).warnings,
             Texts{"the origin 16777217,2,-3 is taken off every point"});
@@ -142,7 +142,7 @@ TEST(OpenInput, MeasuresWhatRoundingHasCost) {
   const ReadOptions no_help{.recentre = true, .origin = {{16777216 * 3.0, 0, 0}}};
   EXPECT_EQ(open_input(points.path().string(), {.radius = 2.0f, .reading = no_help}).warnings,
             Texts({"the origin 50331648,0,0 is taken off every point",
-                   "binary32 rounds coordinates by up to 1, 0.5 of a radius (said from 0.001 on)"}));
+                   "binary32 rounds coordinates by up to 1, 0.5 of a radius (said above 0.001)"}));
   // A radius of 0 has no share to lose; the warning is for the other sphere.
   const TestFile file("a.csv", "x,y,z,r\n0.1,0,0,1e-5\n16777217,1,0,0\n");
   EXPECT_EQ(open_input(file.path().string()).warnings.size(), 0u);
@@ -160,7 +160,7 @@ TEST(OpenInput, WarnsOfRoundingInEveryFormat) {
   const std::string at[] = {"1000000.123 0 0", "1000000.456 1 0"}, both = at[0] + "\n" + at[1] + "\n";
   const Texts said = warnings("a.csv", "x,y,z,r\n1000000.123,0,0,0.25\n1000000.456,1,0,0.0625\n", {});
   EXPECT_EQ(said,
-            Texts{"binary32 rounds coordinates by up to 0.0185, 0.296 of a radius (said from 0.001 on); "
+            Texts{"binary32 rounds coordinates by up to 0.0185, 0.296 of a radius (said above 0.001); "
                   "--recentre takes an origin off before"});
   const std::string legacy = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n" +
                              both + "LINES 1 3\n2 0 1\n";

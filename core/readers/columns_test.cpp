@@ -27,6 +27,11 @@ RC_GTEST_PROP(XyzrReader, ReadsWhatIsWritten, (bool commas)) {
   RC_ASSERT(curves.has_radii);
 }
 
+TEST(XyzrReader, EndsAStrandAtABlankLineAndNotAtAComment) {
+  const CurveFile curves = read_text("a.xyzr", "0 0 0 1\n# more of it\n1 0 0 1\n \t\n2 0 0 1\n");
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3}));
+}
+
 TEST(XyzrReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("2: a point is 'x y z r', got 3 columns", "a.xyzr", "0 0 0 1\n1 0 0\n");
   EXPECT_COMPLAINT("1: a point is 'x y z r', got 5 columns", "a.xyzr", "0 0 0 1 2\n");

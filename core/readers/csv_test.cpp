@@ -58,9 +58,9 @@ TEST(CsvReader, GathersTheRowsOfAStrandThatComesBackAndSaysSo) {
 RC_GTEST_PROP(CsvReader, TakesTheRowsOfANameInTheirOrder, ()) {
   const auto names =
       *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::elementOf(std::string("abc"))));
-  std::string text = "x,y,z,strand\n", seen;
+  std::string text = "x,y,z,strand,closed\n", seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    text += std::to_string(i) + ",0,0," + names[i] + "\n";
+    text += std::to_string(i) + ",0,0," + names[i] + (names[i] == 'b' ? ",1\n" : ",0\n");
     if (seen.find(names[i]) == std::string::npos) seen += names[i];
   }
   const CurveFile curves = read_text("a.csv", text);
@@ -68,6 +68,7 @@ RC_GTEST_PROP(CsvReader, TakesTheRowsOfANameInTheirOrder, ()) {
   std::size_t i = 0;
   for (std::size_t s = 0; s < seen.size(); ++s) {
     RC_ASSERT(curves.labels.strand_names[s] == std::string(1, seen[s]));
+    RC_ASSERT(curves.strand_closed[s] == (seen[s] == 'b'));
     for (std::size_t row = 0; row < names.size(); ++row)
       if (names[row] == seen[s]) {
         RC_ASSERT(curves.spheres[i].x == static_cast<float>(row));
@@ -141,6 +142,7 @@ TEST(CsvReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("1: columns 1 and 2 mean the same", "a.csv", "strand,chain,x,y,z\n");
   EXPECT_COMPLAINT("1: both a radius and a diameter", "a.csv", "x,y,z,r,d\n");
   EXPECT_COMPLAINT("3: the row has 2 columns, not 3", "a.csv", "x,y,z\n1,2,3\n1,2\n");
+  EXPECT_COMPLAINT("3: the row has 5 columns, not 3", "a.csv", "x,y,z\n1,2,3,,\n1,2,3,,4\n");
   EXPECT_COMPLAINT("2: z '' is not a number", "a.csv", "x,y,z\n1,2,\n");
   EXPECT_COMPLAINT("2: radius '-1' is negative", "a.csv", "x,y,z,r\n1,2,3,-1\n");
   EXPECT_COMPLAINT("2: radius '0.1e-300' is no 0", "a.csv", "x,y,z,r\n1,2,3,0.1e-300\n");

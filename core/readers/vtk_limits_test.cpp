@@ -47,6 +47,16 @@ TEST(VtkLegacyReader, TakesTheLargestOfLinesInAnyOrder) {
   EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{0, 0, 0, 3}, {1, 0, 0, 3}, {2, 0, 0, 1}}));
 }
 
+TEST(VtkLegacyReader, TakesRadiiUpToTheGreatestFloat) {
+  const auto of = [](const std::string& radius) {
+    return legacy("ASCII",
+                  four + lines + "POINT_DATA 4\nFIELD f 1\nradius 1 4 double\n" + radius + " 1 1 1\n");
+  };
+  constexpr float greatest = std::numeric_limits<float>::max();
+  EXPECT_EQ(read_text("a.vtk", of(fmt::format("{}", double{greatest}))).spheres[0].radius, greatest);
+  expect_says(complaint("a.vtk", of("3.4028235e38")), "'radius' of point 0 is 3.4028235e+38, no radius");
+}
+
 TEST(VtkLegacyReader, ReadsPointsWithoutAnyLine) {
   EXPECT_EQ(read_text("a.vtk", legacy("ASCII", four + "VERTICES 2 4\n1 0\n1 2\n")).spheres,
             (std::vector<Sphere>{{0, 0, 0, 0}, {2, 0, 0, 0}}));

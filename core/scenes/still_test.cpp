@@ -108,7 +108,16 @@ TEST(Hair, SharesItsSpheresOutToItsStrands) {
     EXPECT_NEAR(last - first, 50.15, 1);
     for (std::uint32_t i = first + 1; i < last; ++i) ASSERT_NEAR(distance(hair[i - 1], hair[i]), 1.6, 1e-4);
   }
-  EXPECT_EQ(chain_of("hair:n=5,strands=20").strand_count(), 20u);
+  // Where there are fewer spheres than strands, some have none, and each of the others begins at its own
+  // root.
+  const Chain few = chain_of("hair:n=5,strands=20,align=axes"),
+              roots = chain_of("hair:n=20,strands=20,align=axes");
+  ASSERT_EQ(few.strand_count(), 20u);
+  for (std::uint32_t s = 0; s < 20; ++s)
+    for (std::uint32_t i = few.strands().first[s]; i < few.strands().first[s + 1]; ++i) {
+      EXPECT_EQ(few[i].x, roots[s].x);
+      EXPECT_EQ(few[i].y, roots[s].y);
+    }
   EXPECT_GT(pairs(chain_of("hair")), 1000u) << "strands touch each other";
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -36,6 +37,15 @@ class FuzzProgram : public Program {
     return "fuzz --failures '" + file("failures") + "' " + arguments;
   }
 };
+
+TEST_F(FuzzProgram, TellsHowManyChainsAMinute) {
+  const std::string told = run(at("--variant aCPU2+CPU2 --seconds 1")).output;
+  double cases = 0, seconds = 0, a_minute = 0;
+  ASSERT_EQ(std::sscanf(told.c_str(), "%lf chains in %lf s (%lf a minute)", &cases, &seconds, &a_minute), 3)
+      << told;
+  EXPECT_GE(seconds, 1);
+  EXPECT_NEAR(a_minute / (60 * cases / seconds), 1, 0.06) << "seconds have one digit behind the point";
+}
 
 TEST_F(FuzzProgram, CountsAVariantOnceHoweverOftenItIsNamed) {
   expect_says(at("--cases 1 --variant CPU1 --variant CPU1"), 0,

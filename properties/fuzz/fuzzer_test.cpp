@@ -5,10 +5,16 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/readers/chain_format.h"
@@ -174,8 +180,60 @@ TEST(Fuzzer, ShrinksAFailureThatDependsOnHistoryAsASequence) {
   ASSERT_EQ(files.size(), 2u);
   std::vector<Chain> stored;
   for (const auto& file : files) stored.push_back(load_chain(file));
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::ostringstream text;
+    text << std::ifstream(files[k]).rdbuf();
+    EXPECT_NE(text.str().find("; chain " + std::to_string(k + 1) + " of 2, by one object"), std::string::npos)
+        << text.str();
+  }
   EXPECT_TRUE(fails_in_sequence(Subject::named(name), found->finding.property, stored));
   std::filesystem::remove_all(folder);
+}
+
+/// Once there is `that`: counts a pair too many of all other chains, where it has met it.
+class WrongAfterAChain final : public Variant {
+ public:
+  void build(const Chain& chain) override {
+    met_[mark_of(chain)] = true;
+    right_->build(chain);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    right_->find(chain, request, result);
+    if (result.pair_count > 0 && that && met_[*that] && mark_of(chain) != *that) ++result.pair_count;
+  }
+  Timings timings() const override { return {}; }
+
+  static inline std::optional<std::size_t> that;
+  static std::size_t mark_of(const Chain& chain) {
+    const auto* const bytes = reinterpret_cast<const char*>(chain.spheres().data());
+    return std::hash<std::string_view>()({bytes, chain.spheres().size_bytes()}) % marks;
+  }
+
+ private:
+  static constexpr std::size_t marks = std::size_t{1} << 22;  // so many that no two chains share one
+  std::vector<bool> met_ = std::vector<bool>(marks);
+  std::unique_ptr<Variant> right_ = StrategyRegistry::instance().make("CPU1");
+};
+
+const test::RegisterHidden<WrongAfterAChain> wrong_after_a_chain{
+    {.name = "WrongAfterAChain", .summary = "wrong after a chain"}};
+
+/// However many were drawn before.
+TEST(Fuzzer, RemembersTheLatestChains) {
+  WrongAfterAChain::that.reset();
+  Fuzzer fuzzer({Subject::named("WrongAfterAChain")}, {.long_size = 0});
+  std::size_t last = 0;
+  fuzzer.watch(
+      [&](const std::string&, std::uint64_t, const Chain& chain) { last = WrongAfterAChain::mark_of(chain); },
+      {});
+  EXPECT_FALSE(fuzz(fuzzer, 70));
+  WrongAfterAChain::that = last;
+  const auto found = fuzz(fuzzer, 95);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->repeats);
+  ASSERT_EQ(found->shrunk.size(), 2u);
+  EXPECT_EQ(WrongAfterAChain::mark_of(found->shrunk[0]), WrongAfterAChain::that);
+  WrongAfterAChain::that.reset();
 }
 
 /// Counts a pair too many, once in a process: no new object does so again.
@@ -209,6 +267,26 @@ TEST(Fuzzer, SaysWhatDoesNotRepeat) {
 TEST(Fuzzer, SaysWhatNoNewObjectShows) {
   EXPECT_FALSE(shortest_sequence(Subject::named("aCPU2+CPU2"), "pair set",
                                  {Chain({{0, 0, 0, 1}}), Chain({{0, 0, 0, 1}, {1, 0, 0, 1}})}));
+}
+
+/// Whatever order they come in, those that score less than many others are forgotten.
+TEST(Pool, PicksFromTheBestFew) {
+  constexpr std::size_t all = 30;
+  for (const bool rising : {true, false}) {
+    Pool pool;
+    for (std::size_t k = 1; k <= all; ++k) {
+      const std::size_t n = rising ? k : all + 1 - k;
+      Interest interest;
+      interest.score.fill(static_cast<double>(n));
+      pool.offer(Chain(std::vector<Sphere>(n, Sphere{0, 0, 0, 1})), interest);
+    }
+    Dice dice(1);
+    std::set<std::uint32_t> sizes;
+    for (int k = 0; k < 1000; ++k) sizes.insert(pool.pick(dice).size());
+    EXPECT_EQ(*sizes.rbegin(), all);
+    EXPECT_EQ(*sizes.rbegin() - *sizes.begin() + 1, sizes.size()) << "none is skipped";
+    EXPECT_TRUE(sizes.size() > 3 && sizes.size() < 12) << sizes.size();
+  }
 }
 
 /// Of five spheres the tree is as deep as that of the first four, and one.

@@ -62,6 +62,14 @@ class Costs(unittest.TestCase):
         rows = {(row["input"], row["variant"]): [row[key] for key in names.values()] for row in self.catena["counts"]}
         self.assertEqual({(i, v): numbers for i, v, *numbers in self.shown.raw("counts")}, rows)
 
+    def test_a_count_of_none_is_shown_and_one_that_was_not_made_is_not(self):
+        value = made.run()
+        row = value["catena"]["counts"][0]
+        row["node_visits"] = 0
+        del row["bytes"]
+        (shown,) = (cells for cells in pages.shown(value).rows("counts") if cells[:2] == [row["input"], row["variant"]])
+        self.assertEqual(shown[3:], ["0", ""])
+
     @recomputes("table:exactness")
     def test_what_exactness_costs(self):
         """Geometric mean over the chains of the ratios of medians, and its t interval."""

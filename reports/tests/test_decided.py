@@ -137,6 +137,14 @@ class Chosen(Base):
         self.assertEqual(advice._times(one, "none", 3).text, "2.00 [1.50, 3.00] times on 2 of 3 chains (GPU1)")
         self.assertEqual(advice._times(None, "none").text, "none")
 
+    def test_those_as_good_stand_with_their_ratios(self):
+        beside = [choice.Beside(name, statistics.Interval(*ratio), 2) for name, ratio in (("GPU1", (0.98, 0.9, 1.1)), ("CPU1", (1.02, 1.0, 1.3)))]
+        self.assertEqual(advice._as_good(unittest.mock.Mock(as_good=beside)), "GPU1 0.98 and CPU1 1.02")
+
+    def test_why_none_is_next_is_said(self):
+        for others, as_good, said in ((2, 2, "all are as good"), (3, 2, "no further was timed on all of them"), (1, 0, "no other was timed on all of them")):
+            self.assertEqual(advice._no_next(unittest.mock.Mock(others=others, as_good=[None] * as_good)), said)
+
     def test_the_papers_own_is_said_to_be_it(self):
         for row in self.value["benchmarks"]:
             row["real_time"] = (1.0 if "/aCPU2+CPU2/whole" in row["name"] else 9.0) * (1 + row.get("repetition_index", 0) / 100)

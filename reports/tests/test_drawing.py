@@ -7,6 +7,7 @@ import unittest
 import made
 import matplotlib
 import matplotlib.colors
+import pages
 from catena_report import runfile, statistics, style, variant, words
 from catena_report.drawn import interactive, static
 from catena_report.drawn.compact import compact
@@ -45,6 +46,31 @@ class Legend(unittest.TestCase):
         self.assertEqual(
             Figure("f", "", "", panels).legend(), {"a": (look, True), "b": (dataclasses.replace(look, marker=""), True)}
         )
+
+
+class Ends(unittest.TestCase):
+    def test_an_axis_whose_ends_are_given_shows_every_point(self):
+        given = 0
+        for key, figure in pages.Shown(pages.of(made.run())).figures.items():
+            for panel in figure.panels:
+                for axis, letter in ((panel.x, "x"), (panel.y, "y")):
+                    values = [value for series in panel.series if series.shown for value in getattr(series, letter)]
+                    if axis.range:
+                        self.assertTrue(axis.range[0] <= min(values) and max(values) <= axis.range[1], (key, panel.title))
+                        given += 1
+        self.assertGreater(given, 3)
+
+
+    def test_an_axis_of_two_decades_is_logarithmic(self):
+        decades = 0
+        for key, figure in pages.Shown(pages.of(made.run())).figures.items():
+            for panel in figure.panels:
+                for axis, letter in ((panel.x, "x"), (panel.y, "y")):
+                    values = [value for series in panel.series for value in getattr(series, letter) if value > 0]
+                    if axis.categories is None and values and max(values) >= 100 * min(values):
+                        self.assertTrue(axis.log, (key, panel.title, letter))
+                        decades += 1
+        self.assertGreater(decades, 20)
 
 
 class Told(unittest.TestCase):
@@ -199,6 +225,15 @@ class Drawn(unittest.TestCase):
         self.assertEqual(of_rows["yaxis"]["range"], [2.5, -0.5])
         self.assertEqual(interactive.describe(figure)["panels"][0]["data"][0]["marker"]["symbol"], "square-open")
         self.assertEqual(interactive.describe(figure)["panels"][1]["data"][0]["marker"]["symbol"], "circle")
+
+    def test_the_word_of_a_mark_stands_at_it(self):
+        """Plotly takes the place of a word as a logarithm where the axis is one, and that of a mark as it is."""
+        for log, place in ((True, 2), (False, 100)):
+            axes = Axis("x", log=log), Axis("y", log=log)
+            for line, along in ((Line(100, label="aim"), "x"), (Line(100, across=True, label="aim"), "y")):
+                layout = interactive._layout(Panel("", *axes, [Series("a", [1, 1000], [1, 1000], Look("c0"))], lines=[line]))
+                (shape,), (word,) = layout["shapes"], layout["annotations"]
+                self.assertEqual((shape[f"{along}0"], word[along], word["text"]), (100, place, "aim"))
 
     def test_the_legend_has_each_name_once_shown_where_it_is_anywhere(self):
         figure = self.figure(False)

@@ -199,12 +199,13 @@ class Errors(Base):
         points = self.points(
             ("aCPU2+CPU2", 10, 0.1, (0.9, 1.0, 1.2), {}),
             ("aCPU2+Dual", 10, 0.1, (1.1, 1.3, 1.4), {}),  # later, but its quartiles begin before the other's end
+            ("GPU1", 10, 0.1, (1.2, 1.3, 1.4), {}),  # they begin where the other's end
             ("aGPU2+GPU2", 10, 0.1, (1.3, 1.4, 1.5), {}),  # beaten
             ("aGPU2+GPUv2", 20, 0.05, (5.0, 6.0, 7.0), {}),
             ("aCPU2+CPU2/literal", 20, 0.01, (0.1, 0.1, 0.1), {}),
         )
         best = work_precision.front(pages.of(self.value), points)
-        self.assertEqual({p["variant"] for p in best}, {"aCPU2+CPU2", "aCPU2+Dual", "aGPU2+GPUv2"})
+        self.assertEqual({p["variant"] for p in best}, {"aCPU2+CPU2", "aCPU2+Dual", "GPU1", "aGPU2+GPUv2"})
 
     def test_the_worst_answer_and_the_quickest_time_may_be_of_two_variants(self):
         self.catena["variants"]["aCPU2+Dual/literal"] = made.described("aCPU2+Dual/literal")

@@ -32,6 +32,15 @@ class Environment(unittest.TestCase):
         dirty = next(row[1] for row in self.shown.tables["environment"].rows if row[0].text == "commit")
         self.assertEqual(dirty.kind, "bad")
 
+    def test_each_run_has_a_column_of_its_own(self):
+        other = made.run(repetitions=1)
+        other["context"]["cpu"] = "another"
+        other["catena"].update(profile="quick", seconds=7.25)
+        rows = {name: texts for name, *texts in pages.Shown(pages.of(self.value), pages.of(other)).rows("environment")}
+        self.assertEqual(rows["cpu"], [self.value["context"]["cpu"], "another"])
+        self.assertEqual(rows["profile"], ["custom", "quick"])
+        self.assertEqual(rows["measuring took, s"], ["12.50", "7.250"])
+
     def test_how_others_built_their_library_is_not_shown_as_how_catena_was_built(self):
         value = made.run()
         value["context"] |= {"build type": "Release", "library_build_type": "debug"}

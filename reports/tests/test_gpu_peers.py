@@ -54,6 +54,19 @@ class Committed(unittest.TestCase):
             self.assertEqual(variant.text, fastest)
             self.assertAlmostEqual(time.value, plain.median(timed[fastest]))
 
+    def test_what_rounds_is_not_catenas_own_however_fast_it_is(self):
+        run, rounded = json.loads(made.H200.read_text(encoding="utf-8")), "aGPU2+GPU2/literal"
+        run["catena"]["variants"][rounded] = made.described(rounded)
+        _, timed = gpu_peers.own()
+        run["benchmarks"] += [
+            {"name": f"{input_}/{rounded}/resident", "run_type": "iteration", "real_time": 1e-6, "time_unit": "ms"} for input_ in timed
+        ]
+        with tempfile.TemporaryDirectory() as folder:
+            with unittest.mock.patch.object(gpu_peers, "OWN", made.write(folder, run)):
+                gpu_peers.own.cache_clear()
+                self.addCleanup(gpu_peers.own.cache_clear)
+                self.assertEqual(gpu_peers.own()[1], timed)
+
     def test_it_says_whose_figures_they_are(self):
         for key in ("gpu", "driver", "cuda", "date"):
             self.assertIn(self.stored[key], self.prose.text)

@@ -48,6 +48,21 @@ class Made(unittest.TestCase):
             n, size = runfile.n_of(input_), self.sizes[input_, variant]
             self.assertEqual(numbers, [size / n, 64.0, size, 64 * n])
 
+    def test_of_many_variants_those_that_hold_the_least_are_drawn_at_first(self):
+        value = json.loads(json.dumps(made.run()))
+        least_last = [f"aCPU2+V{k}" for k in range(memory.SHOWN + 2)][::-1]
+        value["catena"]["variants"] |= {name: made.described(name) for name in least_last}
+        value["catena"]["memory"] = [
+            {**row, "variant": name, "held_bytes": 16 * runfile.n_of(row["input"]) * (1 + int(name.partition("V")[2]))}
+            for name in least_last
+            for row in value["catena"]["memory"]
+            if row["variant"] == "aCPU2+CPU2"
+        ]
+        held = memory.build(report.Report([runfile.Run("run.json", value)])).blocks[0]
+        for panel in held.panels:
+            hidden = {series.name for series in panel.series if not series.shown}
+            self.assertEqual(hidden, {f"aCPU2+V{memory.SHOWN}", f"aCPU2+V{memory.SHOWN + 1}"})
+
     @recomputes("figure:roofline")
     def test_a_stage_beside_the_copy(self):
         construction, traversal = self.roofline.panels
@@ -70,6 +85,17 @@ class Made(unittest.TestCase):
                 for x, y, (size, ns) in zip(series.x, series.y, points):
                     self.assertAlmostEqual(x, size)
                     self.assertAlmostEqual(y, ns)
+
+    def test_what_rounds_is_not_held_against_the_copy(self):
+        value = json.loads(json.dumps(made.run()))
+        for key in ("memory", "counts"):
+            value["catena"][key] += [
+                {**row, "variant": "aCPU2+CPU2/literal"} for row in value["catena"][key] if row["variant"] == "aCPU2+CPU2"
+            ]
+        found = memory.traffic(runfile.Run("run.json", value))
+        self.assertEqual({(variant, stage) for _, variant, stage, *_ in found}, {
+            (variant, stage) for variant in ("aCPU2+CPU2", "aCPU2+Dual") for stage in ("build", "find")
+        })
 
     def test_what_memory_does_not_bound_is_told_where_there_is_some(self):
         value = json.loads(json.dumps(self.run_.raw))

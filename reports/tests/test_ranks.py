@@ -96,6 +96,25 @@ class Ranks(unittest.TestCase):
                 self.assertIn(row[10 + at].raw / max(kept), (0.5, 1, 2))
                 self.assertIn(row[12 + at].raw / best, (0.5, 1, 2))
 
+    def test_columns_are_named_as_they_are_filled(self):
+        """In the order in which the other tests read them."""
+        n = [f"n = {n:,}" for n in (10**6, 10**9)]
+        tables = self.shown.tables
+        self.assertEqual(tables["ranks-model"].columns[-4:], [f"{what}, {of}" for what in ("half", "best") for of in n])
+        self.assertEqual(
+            tables["ranks-model"].columns[1:-4],
+            ["pairs a sphere", "c", "w, blocks", "s, ns", "b, ns", "r, ns", "f, ns", "times off", "counts off"],
+        )
+        self.assertEqual(
+            tables["ranks-sending"].columns[1:],
+            ["pairs a sphere", "S", "A", "K", "bytes off", "beyond", "m", "N", "messages off", "beyond", "rounds"]
+            + [f"best, {of}" for of in n],
+        )
+        self.assertEqual(
+            tables["ranks-counts"].columns,
+            ["chain", "ranks", "order", "spheres", "blocks asked", "bytes", "messages", "rounds", "over the bound", "ms"],
+        )
+
     @recomputes("table:ranks-sending")
     def test_what_ranks_send_is_what_the_runs_were_made_by(self):
         rows = {row[0].text: row for row in self.shown.tables["ranks-sending"].rows}
@@ -135,11 +154,15 @@ class Ranks(unittest.TestCase):
                     self.assertAlmostEqual(row[column].raw / off, 1, delta=0.08)
                     self.assertEqual(row[column].text, words.significant(row[column].raw, 3))
 
-    def test_of_rounds_the_most_are_told(self):
-        for chain in self.value["catena"]["ranks"]["chains"]:
-            chain["points"][1]["most_rounds"] = 7
-        for row in pages.Shown(pages.of(self.value)).tables["ranks-sending"].rows:
-            self.assertEqual(row[11].raw, 7)
+    def test_of_rounds_the_most_of_any_chain_are_told(self):
+        lengths = sorted({chain["n"] for chain in self.value["catena"]["ranks"]["chains"]})
+        self.assertGreater(len(lengths), 1)
+        for rounds, n in enumerate(lengths, 7):  # more than those set before
+            for chain in self.value["catena"]["ranks"]["chains"]:
+                if chain["n"] == n:
+                    chain["points"][1]["most_rounds"] = rounds
+            for row in pages.Shown(pages.of(self.value)).tables["ranks-sending"].rows:
+                self.assertEqual(row[11].raw, rounds)
 
     def test_a_chain_in_its_order_has_no_model_of_what_is_sent(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
@@ -173,6 +196,12 @@ class Ranks(unittest.TestCase):
             self.assertEqual([cell.raw for cell in row[3:8]], [p[key] for key in keys])
             self.assertEqual(row[8].raw, p["blocks_asked"] / p["blocks_touching"])
             self.assertEqual(row[9].raw, sum(p["most_processor_ms"].values()) if p["ranks"] <= 256 else "")
+            if p["ranks"] <= 256:
+                self.assertEqual(row[9].text, words.ms(row[9].raw))
+
+    def test_it_says_by_what_a_rank_searches_its_part(self):
+        self.value["catena"]["ranks"]["searched_by"] = "somebody"
+        self.assertIn("computed, somebody within its part", pages.Shown(pages.of(self.value)).prose)
 
     def test_counts_beyond_what_was_fitted_check_the_law(self):
         for factor in (3, 1 / 9):

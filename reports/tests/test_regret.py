@@ -92,6 +92,9 @@ class Made(unittest.TestCase):
         run, table, sizes = self.table()
         self.assertEqual({row[4].text for row in table.rows}, {"wall"})
 
+    def test_five_per_cent_are_not_more_than_five(self):
+        self.assertEqual([cell.raw for cell in regret._summed([1.05, 1.0500001, 1.0])[2:]], [1])
+
     def test_a_row_without_times_is_left_out(self):
         self.value["catena"]["regret"][0]["best_ms"] = []
         run, table, sizes = self.table()

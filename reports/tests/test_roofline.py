@@ -42,6 +42,31 @@ class Committed(unittest.TestCase):
             self.assertAlmostEqual(float(share.rstrip(" %")), greatest, delta=0.5)
             self.assertEqual(nearest, "latency" if greatest < 40 else max(shares, key=shares.get))
 
+    def test_every_number_of_a_kernel_is_in_its_row(self):
+        kernels = {(run["input"], run["variant"]): run["kernels"] for run in self.stored["runs"]}
+        self.assertEqual(self.table.columns[4:], ["µs", "of the search", "MB", "million warp instructions", "lanes active"])
+        for row in self.table.rows:
+            of_search = kernels[row[0].text, row[1].text]
+            kernel = of_search[row[2].text]
+            numbers = [
+                kernel["us"],
+                kernel["us"] / sum(other["us"] for other in of_search.values()),
+                kernel["device_memory_bytes"] / 1e6,
+                kernel["warp_instructions"],
+                kernel["lanes_active"],
+            ]
+            for cell, number in zip(row[4:], numbers, strict=True):
+                self.assertAlmostEqual(cell.raw, number)
+
+    def test_searches_stand_as_they_were_measured_and_their_kernels_the_longest_first(self):
+        searches = [(run["input"], run["variant"]) for run in self.stored["runs"]]
+        rows = [(searches.index((row[0].text, row[1].text)), -row[4].raw) for row in self.table.rows]
+        self.assertEqual(rows, sorted(rows))
+
+    def test_it_says_what_a_copy_moves(self):
+        bytes_a_second = self.stored["ceilings"]["copy_bytes_per_second"]
+        self.assertIn(f"moved {bytes_a_second / 1e12:.2f} TB/s", self.prose.text)
+
     def test_latency_is_below_forty_per_cent_of_everything(self):
         kernel = {"us": 1.0, "device_memory_bytes": 0, "l2_percent_of_peak": 20.0}
         for percent, nearest in ((40.0, "instructions"), (39.9, "latency")):

@@ -100,6 +100,8 @@ class Files(unittest.TestCase):
             ({"spheres": "A"}, "spheres is not base64 of one sphere"),
             ({"pairs": "AAAA"}, "pairs is not base64 of pairs"),
             ({"frame": "0"}, "frame is no number"),
+            ({"frame": 0.5}, "frame is no number"),
+            ({"frame": True}, "frame is no number"),
             ({"box": [1, 2, 3]}, "box is no array of six numbers"),
         ):
             self.assertIn(f"catena.viewer[1].frames[0].{said}", refused({**good, "frames": [{**frame, **broken}]}))

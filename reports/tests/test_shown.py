@@ -47,6 +47,10 @@ class Times(Base):
         self.assertEqual({name for name, at_first in shown.items() if not at_first}, {"aCPU2+CPU2/literal"})
         self.assertTrue(shown["FCL (peer)"])
 
+    def test_where_all_round_they_are_drawn_at_first(self):
+        self.keep(lambda name: "/literal/" in name)
+        self.assertEqual({series.shown for panel in self.figure().panels for series in panel.series}, {True})
+
     def test_those_of_more_points_come_first(self):
         self.keep(lambda name: "/aGPU2+GPUv2/" not in name or "/n:1000/" not in name)
         names = [series.name for series in self.figure().panels[0].series]

@@ -22,6 +22,7 @@ class Cells(unittest.TestCase):
         for changed, expected in (
             ({}, 0),
             ({**short, "worst_shortfall": 1e-16}, 1),
+            ({**short, "worst_shortfall": 1e-12}, 2),
             ({**short, "worst_shortfall": 1e-9}, 2),
             ({**short, "worst_shortfall": 0.5}, 2),
             ({"outcome": "not finite", "not_finite_nodes": 1, "worst_shortfall": "nan"}, 3),
