@@ -31,9 +31,9 @@ class CATENA_API CapacityError : public Error {
 class CATENA_API PairLimitExceeded : public Error {
  public:
   PairLimitExceeded(std::uint64_t found, std::uint64_t limit, const std::string& where = {})
-      : Error((where.empty() ? "" : where + ": ") + "found " + std::to_string(found) + (found == 1 ? " colliding pair" : " colliding pairs") +
-              ", more than the limit of " + std::to_string(limit) +
-              "; ask for counts alone, or raise the limit"),
+      : Error((where.empty() ? "" : where + ": ") + "found " + std::to_string(found) +
+              (found == 1 ? " colliding pair" : " colliding pairs") + ", more than the limit of " +
+              std::to_string(limit) + "; ask for counts alone, or raise the limit"),
         found_(found),
         limit_(limit) {}
   std::uint64_t found() const noexcept { return found_; }

@@ -159,9 +159,8 @@ TEST(OpenInput, WarnsOfRoundingInEveryFormat) {
   };
   const std::string at[] = {"1000000.123 0 0", "1000000.456 1 0"}, both = at[0] + "\n" + at[1] + "\n";
   const Texts said = warnings("a.csv", "x,y,z,r\n1000000.123,0,0,0.25\n1000000.456,1,0,0.0625\n", {});
-  EXPECT_EQ(said,
-            Texts{"binary32 rounds coordinates by up to 0.0185, 0.296 of a radius (said above 0.001); "
-                  "--recentre takes an origin off before"});
+  EXPECT_EQ(said, Texts{"binary32 rounds coordinates by up to 0.0185, 0.296 of a radius (said above 0.001); "
+                        "--recentre takes an origin off before"});
   const std::string legacy = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n" +
                              both + "LINES 1 3\n2 0 1\n";
   EXPECT_EQ(warnings("a.vtk", legacy + "POINT_DATA 2\nFIELD f 1\nradius 1 2 double\n0.25 0.0625\n"), said);

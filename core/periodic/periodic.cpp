@@ -147,9 +147,8 @@ void Periodic::put_into_box(const Chain& chain) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const double boxes = box_.length[edge] > 0 ? std::floor(place[i][edge] - origin_[edge]) : 0;
       if (std::abs(boxes) > 0x1p20)
-        throw InputError(
-            fmt::format("sphere {} lies {} boxes away along the box's {} edge, more than 2^20", i, boxes,
-                        std::array{"first", "second", "third"}[edge]));
+        throw InputError(fmt::format("sphere {} lies {} boxes away along the box's {} edge, more than 2^20",
+                                     i, boxes, std::array{"first", "second", "third"}[edge]));
       home[i][edge] = -static_cast<std::int32_t>(boxes);
     }
     spheres_.push_back(image(chain[i], home[i]));

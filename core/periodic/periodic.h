@@ -79,7 +79,7 @@ class Periodic final : public Variant {
   std::optional<bool> known_;           ///< the answer to asked_, where it was found before there were images
   bool follows_ = false;                ///< the last build was an update
   bool images_built_ = false;           ///< by the variant, which has the chain as it is stored else
-  bool tight_ = false;  ///< two images of one sphere may both touch another
+  bool tight_ = false;                  ///< two images of one sphere may both touch another
   bool apart_ = false;  ///< the chain is so short beside the box that no image of it reaches another
   std::array<double, 3> origin_{};
   std::vector<Shift> home_;  ///< of each sphere, into the box

@@ -220,8 +220,9 @@ TEST(Periodic, RefusesABoxThatIsNone) {
                                  {{9, 9, 0x1.1p100}},
                                  {{9, 9, 9}, 0, -0x0.fp-100}})
     EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
-  EXPECT_NE(refusal({{1e200, 9, 9}}).find("of a size from 7.888609052210118e-31 to 1.2676506002282294e+30; take"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal({{1e200, 9, 9}}).find("of a size from 7.888609052210118e-31 to 1.2676506002282294e+30; take"),
+      std::string::npos)
       << "what is allowed, to the last digit";
   for (const PeriodicBox& box : {PeriodicBox{{9, 9, 9}, 0x1p-100, -0x1p-100}, {{9, 9, 0x1p100}}})
     EXPECT_EQ(refusal(box), "");

@@ -24,8 +24,7 @@ namespace {
 bool in_parts(const std::string& spec, const InputOptions& options) {
   const bool as_it_is = !options.window && !options.arc_window && !options.closed && !options.radius &&
                         !options.radius_half_spacing && options.reading == ReadOptions() &&
-                        options.box_from != BoxFrom::file &&
-                        options.box_from != BoxFrom::options;
+                        options.box_from != BoxFrom::file && options.box_from != BoxFrom::options;
   std::error_code unknown;
   return as_it_is && lower_case(spec).ends_with(".catena") && std::filesystem::is_regular_file(spec, unknown);
 }
@@ -104,7 +103,8 @@ RankAnswer search_frame(Communicator& ranks, const RankInput& input, std::uint32
                         const std::optional<PeriodicBox>& box, Part part, const RankOptions& options,
                         RankWork& work) {
   if (!box) return search(ranks, std::move(part), options, work);
-  return naming(input.name_of(frame), [&] { return search_in_box(ranks, input.whole(frame), *box, options, work); });
+  return naming(input.name_of(frame),
+                [&] { return search_in_box(ranks, input.whole(frame), *box, options, work); });
 }
 
 }  // namespace catena::ranks

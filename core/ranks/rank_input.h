@@ -5,9 +5,9 @@
 
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/input/input.h"
-#include "catena/core/readers/binary_chain.h"
 #include "catena/core/ranks/named_part.h"
 #include "catena/core/ranks/rank_search.h"
+#include "catena/core/readers/binary_chain.h"
 
 namespace catena::ranks {
 
