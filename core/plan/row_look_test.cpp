@@ -168,7 +168,9 @@ TEST(RowLook, OfStrandsEndsWhereTheyEnd) {
     const RowLook look = RowLook::at(spheres, 4, first);
     EXPECT_EQ(look.near, 0) << length;
     EXPECT_EQ(look.straight, 1) << length;
-    if (length < 20 && length != 8) EXPECT_GT(RowLook::at(spheres, 4).near, 4) << length << ", as one strand";
+    if (length < 20 && length != 8) {
+      EXPECT_GT(RowLook::at(spheres, 4).near, 4) << length << ", as one strand";
+    }
   }
 }
 
