@@ -95,27 +95,22 @@ Label written_label(const WorkloadSpec& spec, const std::vector<PeriodicBox>& bo
   return {fmt::format("{}{}{}", name, others.empty() ? "" : ":", fmt::join(others, ",")), n};
 }
 
+/// Throws InputError where the name says another number of spheres than there are: of a `serpentine` its side
+/// sets it.
 Label label_of(const WorkloadSpec& spec, const Input& input) {
   Label label = written_label(spec, input.boxes);
-  if (label.n.empty()) label.n = std::to_string(input.animation->frame(0).size());
-  return label;
-}
-
-/// The number of spheres, of which a name that says n may say no other: of a `serpentine` its side sets it.
-std::uint32_t spheres_of(const WorkloadSpec& spec, const Input& input) {
   const std::uint32_t size = input.animation->frame(0).size();
-  const std::string n = written_label(spec, {}).n;
-  if (!n.empty() && n != std::to_string(size))
+  if (label.n.empty()) label.n = std::to_string(size);
+  if (label.n != std::to_string(size))
     throw InputError(
         fmt::format("{} has {}, whatever n is; leave out n", spec.input, counted(size, "sphere")));
-  return size;
+  return label;
 }
 
 Workload made(const WorkloadSpec& spec) {
   Workload work;
   work.spec = spec;
   const Input input = open_input(spec.input, spec.options);
-  spheres_of(spec, input);
   work.label = label_of(spec, input).text();
   work.frames = input.animation->frames();
   work.first_frame = spec.all_frames ? 0 : work.frames / 2;
@@ -212,10 +207,10 @@ WorkloadFacts facts_of(const WorkloadSpec& spec) {
   const Input input = open_input(spec.input, spec.options);  // says what is wrong with n, too
   show_new_warnings(input);
   check_boxes(input);
-  const std::uint32_t frames = input.animation->frames(), size = spheres_of(spec, input);
-  if (written.n.empty()) return {label_of(spec, input).text(), size, frames, !input.boxes.empty()};
-  frames_of[written.scene] = frames;
-  return {written.text(), static_cast<std::uint64_t>(n), frames, !input.boxes.empty()};
+  const Label label = label_of(spec, input);
+  const std::uint32_t frames = input.animation->frames();
+  if (!written.n.empty()) frames_of[written.scene] = frames;
+  return {label.text(), std::stoull(label.n), frames, !input.boxes.empty()};
 }
 
 std::shared_ptr<const Workload> workload(const WorkloadSpec& spec) {

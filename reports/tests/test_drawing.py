@@ -60,7 +60,6 @@ class Ends(unittest.TestCase):
                         given += 1
         self.assertGreater(given, 3)
 
-
     def test_an_axis_of_two_decades_is_logarithmic(self):
         decades = 0
         for key, figure in pages.Shown(pages.of(made.run())).figures.items():

@@ -1,7 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,7 +49,6 @@ std::vector<std::string> take_options(int argc, char** argv, Options& options) {
 void print_help() {
   Options options;
   fmt::print("{}\n", help_of("catena_bench", [&](OptionParser& app) { add_options(app, options); }));
-  std::fflush(stdout);
   benchmark::PrintDefaultHelp();
 }
 
