@@ -2,9 +2,11 @@
 #include <algorithm>
 
 #include "catena/core/blocks/block_layout.h"
+#include "catena/core/cells/first_look.h"
 #include "catena/core/cells/meet_blocks.h"
 #include "catena/cuda/clear_by_block.cuh"
 #include "catena/cuda/device_buckets.cuh"
+#include "catena/cuda/device_group.cuh"
 #include "catena/cuda/device_warp.cuh"
 #include "catena/cuda/launch.cuh"
 
@@ -20,16 +22,22 @@ struct WarpSpheres {
 
 constexpr unsigned enclosing_threads = 128;
 
-/// Four threads a block of spheres; the first kernel, which clears the state of all of them too.
+/// Four threads a block of spheres; the first kernel, which clears the state of all of them too. Its first thread
+/// blocks take a look at some blocks meanwhile.
 template <class State>
 __global__ void __launch_bounds__(enclosing_threads)
     enclose_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks,
-                   State* state) {
+                   State* state, std::uint32_t looking) {
   constexpr unsigned warps = enclosing_threads / 32;
+  __shared__ union Memory {
+    __device__ Memory() {}
+    WarpSpheres of_warp[warps];
+    FirstLook::Memory of_look;
+  } shared;
   if (blockIdx.x == 0) clear_by_block(state);
-  __shared__ WarpSpheres shared[warps];
-  WarpSpheres& own = shared[threadIdx.x / 32];
-  const std::uint32_t first = (blockIdx.x * warps + threadIdx.x / 32) * WarpSpheres::blocks;
+  if (blockIdx.x < looking) return FirstLook(chain, blocks, shared.of_look).look(DeviceGroup(), blockIdx.x);
+  WarpSpheres& own = shared.of_warp[threadIdx.x / 32];
+  const std::uint32_t first = ((blockIdx.x - looking) * warps + threadIdx.x / 32) * WarpSpheres::blocks;
   constexpr std::uint32_t share = WarpSpheres::count / DeviceWarp::lanes;
   Sphere mine[share];  // all on their way before the first is waited for
 #pragma unroll
@@ -57,6 +65,11 @@ class DeviceBlocks {
     blocks.partners = partners_.reserve(n, stream);
     blocks.met = met_.reserve(n, stream);
     blocks.state = state;
+    if (FirstLook::pays(blocks)) {
+      const bool known = look_.capacity() > 0;
+      blocks.look = look_.reserve(1, stream);
+      if (!known) CATENA_CUDA(cudaMemsetAsync(blocks.look, 0, sizeof *blocks.look, stream));
+    }
     return blocks;
   }
   /// The rest.
@@ -75,8 +88,9 @@ class DeviceBlocks {
   static void enqueue_enclose(const ChainView& chain, const CapsuleBlocks& blocks, State* state,
                               cudaStream_t stream) {
     constexpr std::uint32_t together = enclosing_threads / 32 * WarpSpheres::blocks;
-    launch_blocks(enclose_blocks<State>, (blocks.blocks + together - 1) / together, enclosing_threads, stream,
-                  chain, blocks, state);
+    const std::uint32_t looking = FirstLook::groups(blocks);
+    launch_blocks(enclose_blocks<State>, looking + (blocks.blocks + together - 1) / together, enclosing_threads,
+                  stream, chain, blocks, state, looking);
   }
 
  private:
@@ -84,6 +98,7 @@ class DeviceBlocks {
   DeviceBuffer<CapsuleBall> ball_;
   DeviceBuffer<std::uint8_t> shape_;
   DeviceBuffer<std::uint32_t> id_, partners_, partner_, met_;
+  DeviceBuffer<CapsuleBlocks::Look> look_;
   DeviceBuckets buckets_;
 };
 

@@ -56,7 +56,7 @@ class BlocksOnHost {
  public:
   BlocksOnHost(const CapsuleBlocks& device, cudaStream_t stream)
       : state_(fetched(device.state, 1, stream)), blocks_(device) {
-    blocks_.state = state_.data();
+    blocks_.state = state_.data(), blocks_.look = nullptr;
     const std::size_t n = device.blocks;
     capsule_ = fetched(device.capsule, n, stream), shape_ = fetched(device.shape, n, stream);
     partners_ = fetched(device.partners, n, stream), met_ = fetched(device.met, n, stream);

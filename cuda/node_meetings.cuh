@@ -3,6 +3,7 @@
 
 #include "catena/core/cells/block_nodes.h"
 #include "catena/core/cells/find_partners.h"
+#include "catena/core/cells/first_look.h"
 #include "catena/core/cells/survey_blocks.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/device_group.cuh"
@@ -17,6 +18,8 @@ __global__ void __launch_bounds__(256)
     fit_nodes(const __grid_constant__ Nodes nodes, const __grid_constant__ CapsuleBlocks blocks,
               std::uint32_t level) {
   await_previous();
+  if (level == 1 && blockIdx.x == 0 && threadIdx.x == 0) FirstLook::tell(blocks);
+  if (blocks.left_at_first_look()) return;
   const NodeMeeting meeting(nodes, blocks);
   const DeviceOctet team;
   const auto fit = [&](std::uint32_t at_level, std::uint32_t node) {
@@ -42,10 +45,12 @@ __global__ void __launch_bounds__(threads, 1280 / threads)
     PartnerSearch::Memory search;
   } memory;
   await_previous();
-  if (blockIdx.x < blocks.surveyed)
-    BlockSurvey(nodes, blocks, memory.survey).ask(DeviceGroup(), blockIdx.x);
-  else
+  if (blockIdx.x == 0 && threadIdx.x == 0) FirstLook::forget(blocks);
+  if (blockIdx.x < blocks.surveyed) {
+    if (!blocks.surveyed_all()) BlockSurvey(nodes, blocks, memory.survey).ask(DeviceGroup(), blockIdx.x);
+  } else {
     PartnerSearch(nodes, blocks, memory.search).find(DeviceGroup(), blockIdx.x - blocks.surveyed);
+  }
 }
 
 /// A BlockNodes on a device: its memory, and its steps as kernels, none of which the host waits for.

@@ -9,7 +9,7 @@ endif()
 # Needs a device; skipped without one.
 set(gpu Device DeviceBlocks DeviceCells DeviceGolden DeviceTrial)
 if(CATENA_TESTS_OF_CUDA)  # said by tests.cmake: these are in no build without CUDA
-  list(APPEND gpu DeviceMemory DeviceQueue)
+  list(APPEND gpu DeviceLook DeviceMemory DeviceQueue)
 endif()
 # Of the host, and of a device where there is one: `ctest -L gpu` has them too.
 set(gpu-too Cells)

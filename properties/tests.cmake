@@ -33,7 +33,8 @@ if(TARGET catena_cuda)  # what a user's own resident search looks like, and a ca
                                       ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_repeats_test.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_memory_test.cu
-                                      ${PROJECT_SOURCE_DIR}/properties/device_queue_test.cu)
+                                      ${PROJECT_SOURCE_DIR}/properties/device_queue_test.cu
+                                      ${PROJECT_SOURCE_DIR}/properties/device_look_test.cu)
   catena_compile_cuda(catena_tests)
   set(tests_of_cuda ON)
 endif()

@@ -26,7 +26,8 @@ class DeviceHybridOnHost final : public HostCapsuleSearch<Arithmetic> {
   void tell(const CapsuleBlocks& blocks) override {
     const BlockNodes& nodes = nodes_.fit(blocks);
     HostGroup group(32);
-    for (std::uint32_t k = 0; k < blocks.surveyed; ++k) BlockSurvey(nodes, blocks, of_survey_).ask(group, k);
+    for (std::uint32_t k = 0; k < blocks.surveyed && !blocks.surveyed_all(); ++k)
+      BlockSurvey(nodes, blocks, of_survey_).ask(group, k);
     for (std::uint32_t k = 0; k < nodes.count[2]; ++k)
       PartnerSearch(nodes, blocks, of_search_).find(group, k);
   }

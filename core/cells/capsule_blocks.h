@@ -49,6 +49,13 @@ struct CapsuleBlocks {
   };
   static_assert(most_surveyed * most_partners <= 0xFFFF);
 
+  /// What is seen of some blocks before the survey (FirstLook): a bit for each.
+  struct alignas(16) Look {
+    static constexpr std::uint32_t asked = 64, words = asked / 32;
+    std::uint32_t met[words];      ///< it met one of every `looked` blocks, and not one next to it
+    std::uint32_t tangled[words];  ///< it does not go on in order
+  };
+
   struct State {
     std::uint32_t places;       ///< blocks that were sorted
     std::uint32_t present;      ///< bit k: there are tangled blocks of level k
@@ -64,6 +71,7 @@ struct CapsuleBlocks {
   std::uint32_t blocks, crowd, sample;
   std::uint32_t surveyed;       ///< blocks that are asked before all others (BlockSurvey)
   std::uint32_t many_partners;  ///< in sixteenths; see all_left()
+  std::uint32_t looked;         ///< of so many blocks the first look takes one
   bool all_crowded;             ///< nothing is asked of blocks: the chain is too short for it to pay
   bool in_cells;   ///< tangled blocks are put into cells; else, where there are few blocks, they count as
                    ///< crowded
@@ -81,6 +89,7 @@ struct CapsuleBlocks {
   std::uint32_t* partner;   ///< by block, most_partners each
   std::uint32_t* met;       ///< by block: finer ones that met it
   State* state;             ///< at first 0
+  Look* look;               ///< all 0 between builds; nullptr: there is no such look
 
   CATENA_HD static std::uint32_t blocks_of(std::uint32_t n) { return n / block + (n % block != 0); }
   /// What sizes and numbers a chain has; memory is the caller's to give.
@@ -93,6 +102,7 @@ struct CapsuleBlocks {
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
     result.surveyed = std::min(surveyed, result.blocks);
+    result.looked = std::max(4u, result.blocks / 8192);
     result.many_partners = many_partners_of(result.blocks);
     // Among spheres of very different sizes a grid of spheres is slower by far than what the order of the
     // chain says. Points are of one size, whatever the others are.
@@ -142,13 +152,38 @@ struct CapsuleBlocks {
     const bool all = half && all_left(said);
     return {all, all || last};
   }
+  /// The same before the survey, by what a first look saw: who is tangled has two partners, next to it, and who met
+  /// one of every `looked` others about so many more. It is to be so even if those who met nobody have none, who are
+  /// few, as in a chain that is half laid out the others may be crowded.
+  CATENA_HD bool left_at_first_look() const {
+    if (look == nullptr) return false;
+    const Look saw = *look;
+    std::uint32_t some = 0, in_no_order = 0, either = 0;
+    for (std::uint32_t k = 0; k < Look::words; ++k) {
+      some += count_bits(saw.met[k]), in_no_order += count_bits(saw.tangled[k]);
+      either += count_bits(saw.met[k] | saw.tangled[k]);
+    }
+    if (some >= 40) return true;
+    return looked <= 8 && either >= 46 &&
+           16 * (looked * some + 2 * in_no_order) > (many_partners + 2) * Look::asked;
+  }
   /// The k-th block of the survey: of so many parts of the chain one each, anywhere in it, as what comes
   /// again in the chain may do so with the parts.
   CATENA_HD std::uint32_t surveyed_block(std::uint32_t k) const {
-    const std::uint32_t part = blocks / surveyed;
     const auto first = static_cast<std::uint32_t>(std::uint64_t{blocks} * k / surveyed);
-    return first + static_cast<std::uint32_t>(std::uint64_t{k * 0x9E3779B1u} * part >> 32);
+    return first + anywhere(k, blocks / surveyed);
   }
+  /// The same of the first look, but that the last few blocks, less than one for each part, are in none.
+  CATENA_HD std::uint32_t block_asked(std::uint32_t k) const {
+    const std::uint32_t part = blocks / Look::asked;
+    return k * part + anywhere(k, part);
+  }
+  /// Below a number, by chance; of the same k the same.
+  CATENA_HD static std::uint32_t anywhere(std::uint32_t k, std::uint32_t below) {
+    return static_cast<std::uint32_t>(std::uint64_t{k * 0x9E3779B1u} * below >> 32);
+  }
+  /// All blocks of the survey have spoken, or none needs to: before one of them, where it is known what they would say.
+  CATENA_HD bool surveyed_all() const { return Survey::of(seen(&state->survey)).asked == surveyed; }
   CATENA_HD bool ordered(std::uint32_t b) const { return (shape[b] & is_ordered) != 0; }
   /// There is nothing to search between two blocks: they are the same one, or certified to go on in order.
   CATENA_HD bool settled(std::uint32_t a, std::uint32_t b) const {

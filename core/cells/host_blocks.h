@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "catena/core/cells/bits.h"
+#include "catena/core/cells/first_look.h"
 #include "catena/core/cells/host_buckets.h"
 #include "catena/core/cells/host_warp.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/executor/host_group.h"
 
 namespace catena {
 
@@ -23,6 +25,7 @@ class HostBlocks {
     for (std::uint32_t b = 0; b < blocks_.blocks; ++b)
       meeting.enclose(
           HostQuad(), [&](std::uint32_t k) { return scaled(chain, b, k); }, b);
+    look(chain);
     return blocks_;
   }
 
@@ -56,15 +59,23 @@ class HostBlocks {
       }
   }
 
+  void look(const ChainView& chain) {
+    FirstLook::Memory memory;
+    for (std::uint32_t k = 0; k < FirstLook::groups(blocks_); ++k)
+      FirstLook(chain, blocks_, memory).look(HostGroup(32), k);
+    FirstLook::tell(blocks_);
+  }
+
   void reserve() {
     const std::size_t n = blocks_.blocks;
     capsule_.resize(n), shape_.resize(n), ball_.resize(n), id_.resize(n);
     partners_.resize(n), met_.resize(n), partner_.resize(CapsuleBlocks::most_partners * n);
-    state_ = {};
+    state_ = {}, look_ = {};
     blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data();
     blocks_.ball = ball_.data(), blocks_.id = id_.data();
     blocks_.partners = partners_.data(), blocks_.met = met_.data(), blocks_.partner = partner_.data();
     blocks_.state = &state_;
+    blocks_.look = FirstLook::pays(blocks_) ? &look_ : nullptr;
     blocks_.buckets = buckets_.reserve(blocks_.table, n);
   }
   /// Sphere k of block b and those after it, in the blocks' units.
@@ -74,6 +85,7 @@ class HostBlocks {
 
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
+  CapsuleBlocks::Look look_{};
   std::vector<BlockCapsule> capsule_;
   std::vector<CapsuleBall> ball_;
   std::vector<std::uint8_t> shape_;

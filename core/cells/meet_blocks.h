@@ -25,6 +25,7 @@ class BlockMeeting {
       blocks_.capsule[b] = shape.capsule;
       blocks_.shape[b] = static_cast<std::uint8_t>(level | (shape.ordered ? CapsuleBlocks::is_ordered : 0));
       blocks_.partners[b] = blocks_.met[b] = 0;
+      if (blocks_.look != nullptr && !shape.ordered) note_tangled(b);
     });
   }
 
@@ -109,6 +110,11 @@ class BlockMeeting {
       blocks_.partner[b * CapsuleBlocks::most_partners + before] = other;
     else if (before == blocks_.crowd)
       note_crowded(b);
+  }
+  CATENA_HD void note_tangled(std::uint32_t b) const {
+    const std::uint32_t k = b / (blocks_.blocks / CapsuleBlocks::Look::asked);
+    if (k < CapsuleBlocks::Look::asked && blocks_.block_asked(k) == b)
+      set_bits(blocks_.look->tangled + k / 32, 1u << k % 32);
   }
   CATENA_HD void note_crowded(std::uint32_t b) const {
     set_bits(&blocks_.state->any, 1);
