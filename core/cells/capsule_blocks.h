@@ -152,9 +152,9 @@ struct CapsuleBlocks {
     const bool all = half && all_left(said);
     return {all, all || last};
   }
-  /// The same before the survey, by what a first look saw: who is tangled has two partners, next to it, and who met
-  /// one of every `looked` others about so many more. It is to be so even if those who met nobody have none, who are
-  /// few, as in a chain that is half laid out the others may be crowded.
+  /// The same before the survey, by what a first look saw: who is tangled has two partners, next to it, and
+  /// who met one of every `looked` others about so many more. It is to be so even if those who met nobody
+  /// have none, who are few, as in a chain that is half laid out the others may be crowded.
   CATENA_HD bool left_at_first_look() const {
     if (look == nullptr) return false;
     const Look saw = *look;
@@ -182,7 +182,8 @@ struct CapsuleBlocks {
   CATENA_HD static std::uint32_t anywhere(std::uint32_t k, std::uint32_t below) {
     return static_cast<std::uint32_t>(std::uint64_t{k * 0x9E3779B1u} * below >> 32);
   }
-  /// All blocks of the survey have spoken, or none needs to: before one of them, where it is known what they would say.
+  /// All blocks of the survey have spoken, or none needs to: before one of them, where it is known what they
+  /// would say.
   CATENA_HD bool surveyed_all() const { return Survey::of(seen(&state->survey)).asked == surveyed; }
   CATENA_HD bool ordered(std::uint32_t b) const { return (shape[b] & is_ordered) != 0; }
   /// There is nothing to search between two blocks: they are the same one, or certified to go on in order.

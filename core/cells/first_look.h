@@ -7,10 +7,11 @@
 
 namespace catena {
 
-/// Guesses from some spheres of some blocks, while capsules are made of all, that blocks meet so many others that all
-/// had better be left to the other search (CapsuleBlocks::all_left): the survey (BlockSurvey) is not needed then.
-/// Blocks of all parts of the chain are asked whether they meet any of every fourth block, or so, and whoever encloses
-/// them says whether they go on in order. Only who finds a pair depends on this, and not whether it is found.
+/// Guesses from some spheres of some blocks, while capsules are made of all, that blocks meet so many others
+/// that all had better be left to the other search (CapsuleBlocks::all_left): the survey (BlockSurvey) is not
+/// needed then. Blocks of all parts of the chain are asked whether they meet any of every fourth block, or
+/// so, and whoever encloses them says whether they go on in order. Only who finds a pair depends on this, and
+/// not whether it is found.
 class FirstLook {
  public:
   static constexpr std::uint32_t asked = CapsuleBlocks::Look::asked, words = CapsuleBlocks::Look::words,
@@ -32,7 +33,8 @@ class FirstLook {
   CATENA_HD FirstLook(const ChainView& chain, const CapsuleBlocks& blocks, Memory& memory)
       : chain_(chain), blocks_(blocks), memory_(memory) {}
 
-  /// By one of those groups of threads, which ends in step: whom of its share of the chain's blocks those asked meet.
+  /// By one of those groups of threads, which ends in step: whom of its share of the chain's blocks those
+  /// asked meet.
   template <class Group>
   CATENA_HD void look(Group&& group, std::uint32_t share) const {
     group.parallel(asked + together, [this, share](std::uint32_t k) {
@@ -71,9 +73,10 @@ class FirstLook {
     return k * blocks_.looked + CapsuleBlocks::anywhere(k, blocks_.looked);
   }
 
-  /// Of a word's blocks those that block b meets, among the first few that are near. Threads of a group begin with
-  /// others of them, so that it is known by and by of most where many meet, and not asked again.
-  CATENA_HD void meet(std::uint32_t b, const BlockCapsule& capsule, std::uint32_t word, std::uint32_t from) const {
+  /// Of a word's blocks those that block b meets, among the first few that are near. Threads of a group begin
+  /// with others of them, so that it is known by and by of most where many meet, and not asked again.
+  CATENA_HD void meet(std::uint32_t b, const BlockCapsule& capsule, std::uint32_t word,
+                      std::uint32_t from) const {
     constexpr std::uint32_t few = 6;
     const CapsuleBall own = ball_of(capsule);
     std::uint32_t* const met = memory_.met + word;
@@ -82,7 +85,8 @@ class FirstLook {
       near |= (far_apart(own, memory_.ball[word * 32 + k], false) ? 0u : 1u) << k;
     for (std::uint32_t k = 0; k < few && (near &= ~seen(met)) != 0; ++k) {
       const std::uint32_t ahead = near >> from << from, bit = lowest_bit(ahead != 0 ? ahead : near);
-      const std::uint32_t apart = blocks_.block_asked(word * 32 + bit) - b + 1;  // up to 2: the same, or next to it
+      const std::uint32_t apart =
+          blocks_.block_asked(word * 32 + bit) - b + 1;  // up to 2: the same, or next to it
       if (apart > 2 && !separate(capsule, memory_.capsule[word * 32 + bit], false)) set_bits(met, 1u << bit);
       near &= ~(1u << bit);
     }

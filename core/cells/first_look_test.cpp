@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace {
 
 using Places = std::set<std::uint32_t>;  // of the blocks that are asked
 
-/// Blocks of 32 spheres in a row, each at a place of its own, far from the others, unless it is put elsewhere.
+/// Blocks of 32 spheres in a row, each at a place of its own, far from the others, unless it is put
+/// elsewhere.
 class Blocks {
  public:
   explicit Blocks(std::uint32_t blocks, float least_radius = 0.25f) : blocks_(blocks) {
@@ -25,10 +27,17 @@ class Blocks {
     sphere_.back().radius = least_radius;
     look_at();
   }
-  /// Where another block is, and beside that, so that they touch.
-  Blocks& put(std::uint32_t b, std::uint32_t at) {
+  /// Beside where another block is, so that they touch, or not.
+  Blocks& put(std::uint32_t b, std::uint32_t at, float beside = 0.25f) {
     for (std::uint32_t k = 0; k < CapsuleBlocks::block; ++k)
-      sphere_[b * CapsuleBlocks::block + k].y = 64.0f * static_cast<float>(at) + (b > at ? 0.25f : -0.25f);
+      sphere_[b * CapsuleBlocks::block + k].y = 64.0f * static_cast<float>(at) + (b > at ? beside : -beside);
+    return *this;
+  }
+  /// Into an arc, whose middle lies so far beside its ends.
+  Blocks& bend(std::uint32_t b, float height) {
+    for (std::uint32_t k = 0; k < CapsuleBlocks::block; ++k)
+      sphere_[b * CapsuleBlocks::block + k].y +=
+          height * (1 - std::pow(static_cast<float>(k) / 15.5f - 1, 2.0f));
     return *this;
   }
   Blocks& fold(std::uint32_t b) {
@@ -36,6 +45,12 @@ class Blocks {
     return *this;
   }
   std::uint32_t asked(std::uint32_t k) const { return laid_out_.block_asked(k); }
+  /// The first of four from there on, of which one is looked at, and none is asked, or next to one that is.
+  std::uint32_t four_not_asked(std::uint32_t four) const {
+    for (std::uint32_t k = 0; k < FirstLook::asked; ++k)
+      if (asked(k) + 1 >= four && asked(k) <= four + 4) four += 4, k = ~0u;
+    return four;
+  }
   const CapsuleBlocks& laid_out() const { return laid_out_; }
 
   /// What all that look see, whatever the threads of a group.
@@ -78,25 +93,40 @@ class Blocks {
 constexpr std::uint32_t many = 1000;
 
 TEST(FirstLook, MeetsNobodyWhereAllAreApart) {
-  for (const std::uint32_t blocks : {256u, 257u, 319u, 320u, many}) EXPECT_TRUE(Blocks(blocks).met().empty()) << blocks;
+  for (const std::uint32_t blocks : {256u, 257u, 319u, 320u, many})
+    EXPECT_TRUE(Blocks(blocks).met().empty()) << blocks;
 }
 
 /// Of four that follow one another each is asked about one.
 TEST(FirstLook, SeesWhoMeetsOneOfFour) {
   Blocks blocks(many);
   const Places those = {0, 5, 31, 32, 40, 63};
-  std::uint32_t four = 4 * 3;
+  std::uint32_t four = 0;
   for (const std::uint32_t k : those) {
-    const auto taken = [&](std::uint32_t b) {
-      for (std::uint32_t j = 0; j < FirstLook::asked; ++j)
-        if (blocks.asked(j) + 1 >= b && blocks.asked(j) <= b + 4) return true;
-      return false;
-    };
-    while (taken(four)) four += 4;
+    four = blocks.four_not_asked(four + 4);
     for (std::uint32_t b = four; b < four + 4; ++b) blocks.put(b, blocks.asked(k));
-    four += 4;
   }
   for (const std::uint32_t threads : {1u, 32u, 128u}) EXPECT_EQ(blocks.met(threads), those) << threads;
+}
+
+/// Wherever it begins: among those that are near, and apart, it finds the one that is met.
+TEST(FirstLook, GoesOnBehindOneThatIsNear) {
+  for (std::uint32_t near = 0; near < 32; ++near) {
+    const std::uint32_t met = (near + 16) % 32;
+    Blocks blocks(many);
+    const std::uint32_t four = blocks.four_not_asked(400);
+    blocks.put(blocks.asked(near), four, 5).put(blocks.asked(met), four);
+    for (std::uint32_t b = four; b < four + 4; ++b) blocks.put(b, four);
+    EXPECT_EQ(blocks.met(), (Places{met})) << near;
+  }
+}
+
+TEST(FirstLook, HoldsTheMiddleOfAnArc) {
+  Blocks blocks(many);
+  const std::uint32_t four = blocks.four_not_asked(400);
+  blocks.bend(blocks.asked(9), 4);
+  for (std::uint32_t b = four; b < four + 4; ++b) blocks.put(b, blocks.asked(9), 4.25f);
+  EXPECT_EQ(blocks.met(), (Places{9}));
 }
 
 /// Also the last group's, whose share is not full.
@@ -174,20 +204,30 @@ TEST(FirstLook, LeavesAllByWhatItSaw) {
     bool left;
   };
   for (const Case& c : {
-           Case{0, 0, 0, 38, 4, false}, Case{39, 0, 0, 38, 4, false}, Case{40, 0, 0, 38, 4, true},
-           Case{40, 0, 0, 64, 38, true}, Case{0, 64, 0, 38, 4, false},  // two each
-           Case{8, 64, 0, 38, 4, false}, Case{9, 64, 0, 38, 4, true},   // 128 + 36 of 2.5 each, 160
-           Case{9, 64, 0, 64, 4, false}, Case{39, 64, 0, 64, 4, true},  // of 4.1 each, 264
-           Case{34, 64, 0, 64, 4, false}, Case{35, 64, 0, 64, 4, true},
-           Case{5, 64, 0, 38, 8, true}, Case{5, 64, 0, 38, 9, false},    // too few others
-           Case{32, 32, 0, 38, 4, false}, Case{32, 32, 13, 38, 4, false}, Case{32, 32, 14, 38, 4, true},
+           Case{0, 0, 0, 38, 4, false},
+           Case{39, 0, 0, 38, 4, false},
+           Case{40, 0, 0, 38, 4, true},
+           Case{40, 0, 0, 64, 38, true},
+           Case{0, 64, 0, 38, 4, false},  // two each
+           Case{8, 64, 0, 38, 4, false},
+           Case{9, 64, 0, 38, 4, true},  // 128 + 36 of 2.5 each, 160
+           Case{9, 64, 0, 64, 4, false},
+           Case{39, 64, 0, 64, 4, true},  // of 4.1 each, 264
+           Case{34, 64, 0, 64, 4, false},
+           Case{35, 64, 0, 64, 4, true},
+           Case{5, 64, 0, 38, 8, true},
+           Case{5, 64, 0, 38, 9, false},  // too few others
+           Case{32, 32, 0, 38, 4, false},
+           Case{32, 32, 13, 38, 4, false},
+           Case{32, 32, 14, 38, 4, true},
        }) {
     CapsuleBlocks::Look look{};
     for (std::uint32_t k = 0; k < c.met; ++k) look.met[k / 32] |= 1u << k % 32;
     for (std::uint32_t k = c.from; k < c.from + c.tangled; ++k) look.tangled[k / 32] |= 1u << k % 32;
     CapsuleBlocks blocks{};
     blocks.many_partners = c.many, blocks.looked = c.looked, blocks.look = &look;
-    EXPECT_EQ(blocks.left_at_first_look(), c.left) << c.met << ' ' << c.tangled << ' ' << c.from << ' ' << c.many;
+    EXPECT_EQ(blocks.left_at_first_look(), c.left)
+        << c.met << ' ' << c.tangled << ' ' << c.from << ' ' << c.many;
     blocks.look = nullptr;
     EXPECT_FALSE(blocks.left_at_first_look());
   }

@@ -216,7 +216,8 @@ class PairCollector {
     result.pair_count = 0;
     if (team == nullptr) {
       result.pairs.clear();
-      result.count.assign(counts, 0);
+      result.count.clear();
+      result.count.resize(counts);  // to a number that the compiler knows: by memset
     } else {
       result.count.resize(counts);
     }
