@@ -30,7 +30,6 @@ __global__ void __launch_bounds__(enclosing_threads)
                    State* state, std::uint32_t looking) {
   constexpr unsigned warps = enclosing_threads / 32;
   __shared__ union Memory {
-    __device__ Memory() {}
     WarpSpheres of_warp[warps];
     FirstLook::Memory of_look;
   } shared;

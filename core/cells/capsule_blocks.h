@@ -156,6 +156,9 @@ struct CapsuleBlocks {
   /// who met one of every `looked` others about so many more. It is to be so even if those who met nobody
   /// have none, who are few, as in a chain that is half laid out the others may be crowded.
   CATENA_HD bool left_at_first_look() const {
+    constexpr std::uint32_t most = 40, nearly_all = 46;  // of those asked
+    constexpr std::uint32_t telling = 8;  // where one stands for more, too few are met to be counted by
+    constexpr std::uint32_t chance = 2;   // in sixteenths
     if (look == nullptr) return false;
     const Look saw = *look;
     std::uint32_t some = 0, in_no_order = 0, either = 0;
@@ -163,9 +166,8 @@ struct CapsuleBlocks {
       some += count_bits(saw.met[k]), in_no_order += count_bits(saw.tangled[k]);
       either += count_bits(saw.met[k] | saw.tangled[k]);
     }
-    if (some >= 40) return true;
-    return looked <= 8 && either >= 46 &&
-           16 * (looked * some + 2 * in_no_order) > (many_partners + 2) * Look::asked;
+    return some >= most || (looked <= telling && either >= nearly_all &&
+                            16 * (looked * some + 2 * in_no_order) > (many_partners + chance) * Look::asked);
   }
   /// The k-th block of the survey: of so many parts of the chain one each, anywhere in it, as what comes
   /// again in the chain may do so with the parts.
