@@ -65,9 +65,9 @@ class DeviceBlocks {
     blocks.met = met_.reserve(n, stream);
     blocks.state = state;
     if (FirstLook::pays(blocks)) {
-      const bool known = look_.capacity() > 0;
-      blocks.look = look_.reserve(1, stream);
-      if (!known) CATENA_CUDA(cudaMemsetAsync(blocks.look, 0, sizeof *blocks.look, stream));
+      if (look_.capacity() == 0)  // between builds it is 0
+        CATENA_CUDA(cudaMemsetAsync(look_.reserve(1, stream), 0, sizeof *blocks.look, stream));
+      blocks.look = look_.data();
     }
     return blocks;
   }

@@ -21,7 +21,7 @@ class Crowding {
     limit_ = limit;
     pairs_.resize(threads);
     for (auto& pairs : pairs_) pairs.clear();
-    // Each node meets the next, and others where a chain comes back.
+    // Of one thread, which finds all: each node meets the next, and others where a chain comes back.
     if (threads == 1 && !tree.level.empty()) pairs_[0].reserve(2 * std::size_t{tree.level[0].count});
     open_.resize(tree.level.size());
     for (std::size_t l = 0; l < open_.size(); ++l) {

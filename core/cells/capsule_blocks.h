@@ -8,6 +8,7 @@
 #include "catena/core/cells/buckets.h"
 #include "catena/core/cells/counter.h"
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/scattered.h"
 
 namespace catena {
 
@@ -173,16 +174,13 @@ struct CapsuleBlocks {
   /// again in the chain may do so with the parts.
   CATENA_HD std::uint32_t surveyed_block(std::uint32_t k) const {
     const auto first = static_cast<std::uint32_t>(std::uint64_t{blocks} * k / surveyed);
-    return first + anywhere(k, blocks / surveyed);
+    return first + scattered(k, blocks / surveyed);
   }
-  /// The same of the first look, but that the last few blocks, less than one for each part, are in none.
+  /// The same of the first look, but that the last few blocks, less than one for each part, are in none: then
+  /// a block tells by one division which it is.
   CATENA_HD std::uint32_t block_asked(std::uint32_t k) const {
     const std::uint32_t part = blocks / Look::asked;
-    return k * part + anywhere(k, part);
-  }
-  /// Below a number, by chance; of the same k the same.
-  CATENA_HD static std::uint32_t anywhere(std::uint32_t k, std::uint32_t below) {
-    return static_cast<std::uint32_t>(std::uint64_t{k * 0x9E3779B1u} * below >> 32);
+    return k * part + scattered(k, part);
   }
   /// All blocks of the survey have spoken, or none needs to: before one of them, where it is known what they
   /// would say.

@@ -11,7 +11,7 @@ namespace catena {
 /// that all had better be left to the other search (CapsuleBlocks::all_left): the survey (BlockSurvey) is not
 /// needed then. Blocks of all parts of the chain are asked whether they meet any of every fourth block, or
 /// so, and whoever encloses them says whether they go on in order. Only who finds a pair depends on this, and
-/// not whether it is found.
+/// not whether it is found. O(64 blocks / looked).
 class FirstLook {
  public:
   static constexpr std::uint32_t asked = CapsuleBlocks::Look::asked, words = CapsuleBlocks::Look::words,
@@ -70,7 +70,7 @@ class FirstLook {
  private:
   /// The k-th of those that they may meet, anywhere in its part of the chain.
   CATENA_HD std::uint32_t other(std::uint32_t k) const {
-    return k * blocks_.looked + CapsuleBlocks::anywhere(k, blocks_.looked);
+    return k * blocks_.looked + scattered(k, blocks_.looked);
   }
 
   /// Of a word's blocks those that block b meets, among the first few that are near. Threads of a group begin

@@ -25,7 +25,7 @@ class Blocks {
       for (std::uint32_t k = 0; k < CapsuleBlocks::block; ++k)
         sphere_.push_back({static_cast<float>(k), 64.0f * static_cast<float>(b), 0, 0.25f});
     sphere_.back().radius = least_radius;
-    look_at();
+    laid_out_ = CapsuleBlocks::of(view(), 8, block_scale(view().extent), 0, ~0u, 64);
   }
   /// Beside where another block is, so that they touch, or not.
   Blocks& put(std::uint32_t b, std::uint32_t at, float beside = 0.25f) {
@@ -83,8 +83,6 @@ class Blocks {
   }
 
  private:
-  void look_at() { laid_out_ = CapsuleBlocks::of(view(), 8, block_scale(view().extent), 0, ~0u, 64); }
-
   std::uint32_t blocks_;
   std::vector<Sphere> sphere_;
   CapsuleBlocks laid_out_{};

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "catena/core/space_tree/scattered.h"
+#include "catena/core/scattered.h"
 #include "catena/core/sphere_vector.h"
 #include "catena/core/vec3.h"
 

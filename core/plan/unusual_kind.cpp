@@ -10,7 +10,7 @@
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/never_destroyed.h"
 #include "catena/core/plan/row_look.h"
-#include "catena/core/space_tree/scattered.h"
+#include "catena/core/scattered.h"
 
 namespace catena {
 namespace {
@@ -152,7 +152,7 @@ Kind kind_of_single(std::uint32_t n, double filled, bool like, bool ordered) {
 /// one, other variants the more spheres are near one, along a tube of overlapping ones too. Measured over the
 /// registry's scenes and 30 other kinds of chain, of fifteen sizes each.
 Kind short_kind(const ChainView& chain, double filled, bool like) {
-  // With wide vectors up to 24 on a Zen 5, and up to 12 on a Xeon of its time.
+  // With wide vectors most_rows would be 24 on a Zen 5, and 12 on a Xeon of its time.
   constexpr double least_rows = 2, most_rows = 18, least_beside = 1. / 128;
   if (blocks_half_empty(chain)) return kind_of_single(chain.size, filled, like, false);
   RowLook look = look_at_rows(chain, most_rows);

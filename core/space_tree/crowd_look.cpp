@@ -13,9 +13,9 @@
 #include "catena/core/blocks/neighbour_blocks.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/flushed_floats.h"
+#include "catena/core/scattered.h"
 #include "catena/core/space_tree/crowd_look.h"
 #include "catena/core/space_tree/cut_blocks-inl.h"
-#include "catena/core/space_tree/scattered.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {

@@ -11,8 +11,8 @@
 
 #include "catena/core/blocks/transpose-inl.h"
 #include "catena/core/grid/bucket_map.h"
+#include "catena/core/scattered.h"
 #include "catena/core/space_tree/mean_near.h"
-#include "catena/core/space_tree/scattered.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {

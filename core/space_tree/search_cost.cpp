@@ -8,8 +8,8 @@
 
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/scattered.h"
 #include "catena/core/space_tree/mean_near.h"
-#include "catena/core/space_tree/scattered.h"
 
 namespace catena {
 namespace {

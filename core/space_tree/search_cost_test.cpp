@@ -10,8 +10,8 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/scattered.h"
 #include "catena/core/space_tree/mean_near.h"
-#include "catena/core/space_tree/scattered.h"
 #include "catena/properties/forced_target.h"
 #include "catena/properties/generators/dice.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catena/core/space_tree/scattered.h"
+#include "catena/core/scattered.h"
 
 namespace catena {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "catena/core/hierarchy/morton_grid.h"
-#include "catena/core/space_tree/scattered.h"
+#include "catena/core/scattered.h"
 
 namespace catena {
 namespace {
