@@ -14,7 +14,7 @@ foreach(folder ${CATENA_LIBRARY_FOLDERS})
     endif()
   endforeach()
 endforeach()
-list(APPEND CATENA_LIBRARY_HEADERS core/compiled_for.h core/default_floats.h core/error.h core/export.h core/host_device.h core/pair.h core/sphere.h
+list(APPEND CATENA_LIBRARY_HEADERS core/compiled_for.h core/default_floats.h core/error.h core/export.h core/host_device.h core/pair.h core/scattered.h core/sphere.h
      core/sphere_vector.h)
 foreach(header ${CATENA_LIBRARY_HEADERS})
   get_filename_component(folder ${header} DIRECTORY)
